@@ -134,6 +134,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("show some draws as thin lines"),
               ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
     addSideKeys(keys, *window.terrain());
+    window.addPictureKeys(keys);
     keys.add({{Qt::Key_Escape},
               MainWindow::tr("abort the exploration; its result stays"),
               [exploration] {

@@ -111,6 +111,7 @@ public:
     void showWhyNot(const Message& text);
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
+    void addPictureKeys(KeyTable& keys);  ///< keys of the terrain picture
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }

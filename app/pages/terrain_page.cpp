@@ -8,6 +8,7 @@
 
 #include "app/display/format.h"
 #include "app/pages/force_arrays.h"
+#include "app/pages/picture_tools.h"
 #include "widgets/base/card.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/theme.h"
@@ -80,6 +81,7 @@ Card* TerrainPage::terrainCard()
     view_->setAccessibleName(tr("View of the terrain"));
     strip_ = new EstimateStrip(card);
     terrain_ = new TerrainProfileView(card);
+    tools_ = new PictureTools(*terrain_, [this] { return verdict_->limit(); });
     rear_ = new RearView(rearShapeOf(robot_));
     terrain_->setCorner(rear_);
     connect(terrain_, &TerrainProfileView::shownSidesChanged, this, [this] {

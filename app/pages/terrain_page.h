@@ -31,6 +31,7 @@ class DriveStrip;
 class ElidedLabel;
 class EstimateStrip;
 class EventList;
+class PictureTools;
 class RearView;
 class TerrainProfileView;
 class VerdictStrip;
@@ -145,6 +146,7 @@ public:
     RearView* rearView() const { return rear_; }
     EstimateStrip* strip() const { return strip_; }
     TerrainProfileView* terrain() const { return terrain_; }
+    PictureTools* pictureTools() const { return tools_; }
     VerdictStrip* verdict() const { return verdict_; }
     QPushButton* viewButton() const { return view_; }
 
@@ -189,6 +191,7 @@ private:
     QPushButton* view_ = nullptr;
     EstimateStrip* strip_ = nullptr;
     TerrainProfileView* terrain_ = nullptr;
+    PictureTools* tools_ = nullptr;
     AtemPanel* atem_ = nullptr;
     ProbeCard* probe_ = nullptr;
     ForceBars* forces_ = nullptr;

@@ -16,9 +16,11 @@
 #include "app/display/format.h"
 #include "app/pages/dbc_files.h"
 #include "app/pages/numbers_page.h"
+#include "app/pages/picture_tools.h"
 #include "app/pages/plots_page.h"
 #include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
+#include "app/pages/terrain_picture.h"
 #include "app/review/review_events_page.h"
 #include "app/review/review_export.h"
 #include "app/review/review_export_dialog.h"
@@ -176,6 +178,8 @@ void ReviewWindow::connectAll()
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
     connect(events_, &ReviewEventsPage::seekWanted, player_, &ReviewPlayerBar::goTo);
     connect(plots_->panel(), &PlotsPanel::seekWanted, player_, &ReviewPlayerBar::goTo);
+    connect(terrain_->pictureTools(), &PictureTools::exportWanted, this,
+            &ReviewWindow::exportShown);
     connect(whatIf_, &WhatIfPage::answered, this, &ReviewWindow::showMoment);
     connect(note_, &ReviewNoteField::submitted, this, &ReviewWindow::noteTaken);
     connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
@@ -390,6 +394,7 @@ void ReviewWindow::defineKeys()
                   terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
               }});
     addSideKeys(keys, *terrain_->terrain());
+    terrain_->pictureTools()->addKeys(keys);
     addViewKeys(keys, *preferences_);
     addFullScreenKey();
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});

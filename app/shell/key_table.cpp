@@ -54,6 +54,10 @@ const KeyTable::Entry* KeyTable::entryOf(const QKeyEvent& event) const
 {
     const auto modifiers = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     const QKeyCombination pressed(modifiers, static_cast<Qt::Key>(event.key()));
+    const QKeyCombination shifted(event.modifiers() & ~Qt::KeypadModifier,
+                                  static_cast<Qt::Key>(event.key()));
+    for (const Entry& entry : entries_)
+        if (entry.keys.contains(shifted)) return &entry;
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
         if (!entry.everywhere) return entry.keys.contains(pressed);
         return std::any_of(entry.keys.begin(), entry.keys.end(),

@@ -37,7 +37,8 @@ public:
     void addGroup(const QString& name);
     void add(Entry entry);  ///< adds to the last group; throws std::logic_error for a used key
 
-    /// Returns the entry of a key event; null: none. Shift and the keypad are ignored; entries with `everywhere` ignore
+    /// Returns the entry of a key event; null: none. Shift is ignored
+    /// unless an entry names it, and the keypad is; entries with `everywhere` ignore
     /// all modifiers.
     const Entry* entryOf(const QKeyEvent& event) const;
     /// Releases the held key's action, whatever else is pressed.

@@ -371,6 +371,25 @@
     </message>
 </context>
 <context>
+    <name>MeasuredLine</name>
+    <message>
+        <source>%1 m apart · rise and slope unknown: not felt</source>
+        <translation>vzdálenost %1 m · převýšení a sklon neznámé: neohmatáno</translation>
+    </message>
+    <message>
+        <source>%1 m apart · rise %2 m · slope %3</source>
+        <translation>vzdálenost %1 m · převýšení %2 m · sklon %3</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>vzadu</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vpředu</translation>
+    </message>
+</context>
+<context>
     <name>ModelWords</name>
     <message>
         <source>unknown</source>
@@ -4608,6 +4627,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>force %1</source>
         <translation>síla %1</translation>
     </message>
+    <message>
+        <source>reading was cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6562,6 +6589,10 @@ F1</translation>
         <source>Any signal over time</source>
         <translation>Libovolný signál v čase</translation>
     </message>
+    <message>
+        <source>picture written: %1</source>
+        <translation>obrázek zapsán: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -6768,6 +6799,61 @@ F1</translation>
     <message>
         <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PictureTools</name>
+    <message>
+        <source>Terrain picture</source>
+        <translation>Obrázek terénu</translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation>Kopírovat obrázek</translation>
+    </message>
+    <message>
+        <source>Copy the numbers</source>
+        <translation>Kopírovat čísla</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Export …</translation>
+    </message>
+    <message>
+        <source>Measure height and slope</source>
+        <translation>Měřit výšku a sklon</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Přiblížit</translation>
+    </message>
+    <message>
+        <source>Farther away</source>
+        <translation>Oddálit</translation>
+    </message>
+    <message>
+        <source>The whole robot</source>
+        <translation>Celý robot</translation>
+    </message>
+    <message>
+        <source>measure height and slope between two points; again ends it</source>
+        <translation>měřit výšku a sklon mezi dvěma body; znovu měření ukončí</translation>
+    </message>
+    <message>
+        <source>menu of the picture: copy, export, measure, zoom</source>
+        <translation>nabídka obrázku: kopírovat, export, měřit, přiblížit</translation>
+    </message>
+    <message>
+        <source>in the picture (Tab): closer, farther away, the whole robot</source>
+        <translation>v obrázku (Tab): blíž, dál, celý robot</translation>
+    </message>
+    <message>
+        <source>Export the picture</source>
+        <translation>Export obrázku</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Obrázky (*.png *.svg *.pdf)</translation>
     </message>
 </context>
 <context>
@@ -9268,6 +9354,18 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
         <translation>zapamatovaný terén · od té doby ujeto %1 m · výšky ± %2 cm</translation>
+    </message>
+    <message>
+        <source>free point</source>
+        <translation>volný bod</translation>
+    </message>
+    <message>
+        <source>%1 times closer (0: all)</source>
+        <translation>%1× blíž (0: vše)</translation>
+    </message>
+    <message>
+        <source>measuring: drag, or ← → (Enter: begin here)</source>
+        <translation>měření: táhnout nebo ← → (Enter: začít zde)</translation>
     </message>
 </context>
 <context>

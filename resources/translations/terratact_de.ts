@@ -371,6 +371,25 @@
     </message>
 </context>
 <context>
+    <name>MeasuredLine</name>
+    <message>
+        <source>%1 m apart · rise and slope unknown: not felt</source>
+        <translation>Abstand %1 m · Anstieg und Neigung unbekannt: nicht ertastet</translation>
+    </message>
+    <message>
+        <source>%1 m apart · rise %2 m · slope %3</source>
+        <translation>Abstand %1 m · Anstieg %2 m · Neigung %3</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+</context>
+<context>
     <name>ModelWords</name>
     <message>
         <source>unknown</source>
@@ -4608,6 +4627,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>force %1</source>
         <translation>Kraft %1</translation>
     </message>
+    <message>
+        <source>reading was cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6562,6 +6589,10 @@ F1</translation>
         <source>Any signal over time</source>
         <translation>Jedes Signal über der Zeit</translation>
     </message>
+    <message>
+        <source>picture written: %1</source>
+        <translation>Bild geschrieben: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -6768,6 +6799,61 @@ F1</translation>
     <message>
         <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PictureTools</name>
+    <message>
+        <source>Terrain picture</source>
+        <translation>Geländebild</translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers</source>
+        <translation>Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Measure height and slope</source>
+        <translation>Höhe und Neigung messen</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Näher</translation>
+    </message>
+    <message>
+        <source>Farther away</source>
+        <translation>Weiter weg</translation>
+    </message>
+    <message>
+        <source>The whole robot</source>
+        <translation>Der ganze Roboter</translation>
+    </message>
+    <message>
+        <source>measure height and slope between two points; again ends it</source>
+        <translation>Höhe und Neigung zwischen zwei Punkten messen; erneut beendet es</translation>
+    </message>
+    <message>
+        <source>menu of the picture: copy, export, measure, zoom</source>
+        <translation>Menü des Bildes: kopieren, exportieren, messen, zoomen</translation>
+    </message>
+    <message>
+        <source>in the picture (Tab): closer, farther away, the whole robot</source>
+        <translation>im Bild (Tab): näher, weiter weg, der ganze Roboter</translation>
+    </message>
+    <message>
+        <source>Export the picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
     </message>
 </context>
 <context>
@@ -9268,6 +9354,18 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
         <translation>gemerkter Boden · seither %1 m gefahren · Höhen ± %2 cm</translation>
+    </message>
+    <message>
+        <source>free point</source>
+        <translation>freier Punkt</translation>
+    </message>
+    <message>
+        <source>%1 times closer (0: all)</source>
+        <translation>%1-mal näher (0: alles)</translation>
+    </message>
+    <message>
+        <source>measuring: drag, or ← → (Enter: begin here)</source>
+        <translation>Messen: ziehen oder ← → (Enter: hier beginnen)</translation>
     </message>
 </context>
 <context>

@@ -19,9 +19,11 @@ namespace {
 constexpr std::array<int, 2> kAxes{QwtPlot::xBottom, QwtPlot::yLeft};
 constexpr int kLetters = 13;  // [px] at 100 %
 
-/// Returns the distance of two labels [m], at least `least`.
-double tickStep(double least)
+/// Returns the distance of two labels [m], at least `least`; close up it may be below 0.1 m.
+double tickStep(double least, bool isCloseUp)
 {
+    for (const double step : {0.01, 0.02, 0.05})
+        if (isCloseUp && step >= least) return step;
     for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
         if (step >= least) return step;
     return 50.0;
@@ -39,9 +41,16 @@ MetreScale::MetreScale(bool withPlus) : withPlus_(withPlus)
 
 QwtText MetreScale::label(double value) const
 {
-    const double rounded = std::round(value * 10.0) / 10.0;
-    if (rounded == 0.0) return QStringLiteral("0.0");
-    return withPlus_ ? format::signedNumber(rounded, 1) : format::number(rounded, 1);
+    const double rounded = std::round(value * 100.0) / 100.0;
+    if (!withPlus_ || rounded == 0.0) return format::number(rounded, decimals_);
+    return format::signedNumber(rounded, decimals_);
+}
+
+void MetreScale::setDecimals(int decimals)
+{
+    if (decimals == decimals_) return;
+    decimals_ = decimals;
+    invalidateCache();
 }
 
 ProfileAxes::ProfileAxes(QwtPlot& plot) : plot_(plot)
@@ -82,6 +91,20 @@ void ProfileAxes::name()
         plot_.setAxisTitle(axis, inked(words, theme().muted, font));
 }
 
+/// Sets the ends of an axis [m] and its labels. scale: [px/m]
+void ProfileAxes::setScale(int axis, double from, double to, double scale)
+{
+    const double least =
+        scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] minimum distance between labels
+    const double step = tickStep(least / scale, zoom_ < 1.0);
+    QList<double> centres;
+    const auto last = static_cast<int>(std::floor(to / step + 1e-9));
+    for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
+        centres << tick * step;
+    static_cast<MetreScale*>(plot_.axisScaleDraw(axis))->setDecimals(step < 0.1 ? 2 : 1);
+    plot_.setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
+}
+
 bool ProfileAxes::fit(double bottom, double top, double below)
 {
     // Rounds to steps, so that noise does not move the picture.
@@ -91,25 +114,21 @@ bool ProfileAxes::fit(double bottom, double top, double below)
     const double width = plot_.canvasMap(QwtPlot::xBottom).pDist();
     const double height = plot_.canvasMap(QwtPlot::yLeft).pDist() - below;
     if (!(width > 10.0 && height > 10.0)) return false;
-    const std::array<double, 6> wanted{bottom, top, width, height, zoom_, shift_};
+    const double wide = (kRight - kLeft) * std::max(zoom_, 1.0);
+    const double scale = std::min(width / wide, height / (top - bottom));  // [px/m] not close up
+    const double spareZ = height / scale - (top - bottom);
+    double from = bottom - spareZ * 0.6 - below / scale, to = top + spareZ * 0.4;
+    const double closeUp = std::min(zoom_, 1.0);
+    const double room = (1.0 - closeUp) * (to - from) / 2.0;
+    rise_ = std::clamp(rise_, -room, room);
+    const std::array<double, 7> wanted{bottom, top, width, height, zoom_, shift_, rise_};
     if (wanted == fitted_) return false;
     fitted_ = wanted;
-    const double scale = std::min(width / (right() - left()), height / (top - bottom));  // [px/m]
-    const double spareX = width / scale - (right() - left());
-    const double spareZ = height / scale - (top - bottom);
-
-    const auto setScale = [this, scale](int axis, double from, double to) {
-        QList<double> centres;
-        const double least =
-            scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] minimum distance between labels
-        const double step = tickStep(least / scale);
-        const auto last = static_cast<int>(std::floor(to / step + 1e-9));
-        for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
-            centres << tick * step;
-        plot_.setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
-    };
-    setScale(QwtPlot::xBottom, left() - spareX / 2.0, right() + spareX / 2.0);
-    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6 - below / scale, top + spareZ * 0.4);
+    from += room + rise_;
+    to -= room - rise_;
+    const double shown = closeUp * width / scale;  // [m]
+    setScale(QwtPlot::xBottom, middle() - shown / 2.0, middle() + shown / 2.0, scale / closeUp);
+    setScale(QwtPlot::yLeft, from, to, scale / closeUp);
     plot_.updateAxes();
     return true;
 }

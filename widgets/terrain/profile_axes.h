@@ -8,14 +8,16 @@ class QwtPlot;
 
 namespace terratact {
 
-/// Scale labels "+0.1", "0.0", "−0.2", all of the same width.
+/// Scale labels "+0.1", "0.0", "−0.2", all of the same width. Close up they have two decimals.
 class MetreScale final : public QwtScaleDraw {
 public:
     explicit MetreScale(bool withPlus);
     QwtText label(double value) const override;
+    void setDecimals(int decimals);
 
 private:
     bool withPlus_;
+    int decimals_ = 1;
 };
 
 /// The two axes of a TerrainProfileView, with equal scale in x and z at every size.
@@ -26,14 +28,17 @@ public:
 
     explicit ProfileAxes(QwtPlot& plot);
 
-    /// Shows `zoom` times the extent in x, shifted forward by `shift` [m]. Takes effect with fit().
-    void setWindow(double zoom, double shift)
+    /// Shows `zoom` times the extent in x, shifted forward by `shift` [m]. Below a zoom of 1 the heights are shown close
+    /// up, too, shifted upwards by `rise` [m]. Takes effect with fit(), which keeps them within the whole picture.
+    void setWindow(double zoom, double shift, double rise = 0.0)
     {
         zoom_ = zoom;
         shift_ = shift;
+        rise_ = rise;
     }
     double zoom() const { return zoom_; }
     double shift() const { return shift_; }  ///< [m]
+    double rise() const { return rise_; }    ///< [m]
     /// Return the ends of the window [m].
     double left() const { return middle() - zoom_ * (kRight - kLeft) / 2.0; }
     double right() const { return middle() + zoom_ * (kRight - kLeft) / 2.0; }
@@ -45,12 +50,13 @@ public:
     bool fit(double bottom, double top, double below);
 
 private:
+    void setScale(int axis, double from, double to, double scale);
     double middle() const { return (kLeft + kRight) / 2.0 + shift_; }
 
     QwtPlot& plot_;
-    double zoom_ = 1.0, shift_ = 0.0;
-    /// The bottom, top [m], width and height [px] above `below`, zoom and shift of the last fit.
-    std::array<double, 6> fitted_{};
+    double zoom_ = 1.0, shift_ = 0.0, rise_ = 0.0;
+    /// The bottom, top [m], width and height [px] above `below`, zoom, shift and rise of the last fit.
+    std::array<double, 7> fitted_{};
 };
 
 }  // namespace terratact

@@ -3,7 +3,6 @@
 #include <qwt_text.h>
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QStringList>
 #include <algorithm>
 
@@ -146,6 +145,7 @@ void TerrainProfileView::describe()
         describeSide(side.value_or(Side::Left), side.has_value());
     }
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
+    lines = measuredLines() + lines;
     if (!staleOverlay_->words.isEmpty()) lines.prepend(tr("not live: no telemetry from the robot"));
     if (const QString note = rememberedNote_->text().text(); !note.isEmpty()) lines << note;
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
@@ -154,20 +154,13 @@ void TerrainProfileView::describe()
 bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
 {
     if (object == canvas() && navigate(*event)) return true;
-    if (object == canvas() && event->type() == QEvent::MouseMove)
-        inspect(binOf(pointAt(static_cast<QMouseEvent*>(event)->position()).x()));
-    if (object == canvas() && event->type() == QEvent::MouseButtonDblClick) {
-        const auto* click = static_cast<QMouseEvent*>(event);
-        const std::optional<int> bin = binOf(pointAt(click->position()).x());
-        if (bin && click->button() == Qt::LeftButton) emit binChosen({*bin, sideToProbe()});
-    }
     if (object == canvas() && event->type() == QEvent::Leave) inspect(std::nullopt);
     return QwtPlot::eventFilter(object, event);
 }
 
 void TerrainProfileView::keyPressEvent(QKeyEvent* event)
 {
-    if (navigateByKey(*event)) return;
+    if (navigateByKey(*event) || measureByKey(*event)) return;
     const int now = inspector_->bin();
     if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

@@ -15,6 +15,7 @@
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/measured_line.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
 #include "widgets/terrain/remembered_layer.h"
@@ -64,6 +65,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     inspector_ = new BinInspector(this);
     setFocusPolicy(Qt::TabFocus);
     canvas()->setMouseTracking(true);
+    addTouch();
     addNotes();
 
     clearEstimate(tr("No estimate yet"));
@@ -141,6 +143,8 @@ void TerrainProfileView::addLayers()
     remembered_->attach(this);
     staleOverlay_ = new StaleOverlay;
     staleOverlay_->attach(this);
+    measured_ = new MeasuredLine;
+    measured_->attach(this);
     for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, remembered_})
         layer->setItemAttribute(QwtPlotItem::Legend,
                                 false);  // no legend entry until there is something to show

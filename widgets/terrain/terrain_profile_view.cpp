@@ -179,6 +179,7 @@ void TerrainProfileView::showEstimate()
     showDraws();
     showSecond();
     inspect(inspector_->bin() >= 0 ? std::optional(inspector_->bin()) : std::nullopt);
+    showMeasurement();
     showArm();
     describe();
 }
@@ -354,10 +355,13 @@ bool TerrainProfileView::setScales()
                ->estimate) {  // the legend triggers a layout before the second estimate is complete
         for (const double z : second_->estimate->height) include(z);
     }
+    // Close up, the heights are those of the whole picture, so that the scale does not change with the place.
+    const double closer = std::max(0.0, 1.0 - axes_.zoom());
+    const double beyond = closer * (ProfileAxes::kRight - ProfileAxes::kLeft) / 2.0;
     if (remembered_)  // the same holds for remembered ground
         for (const auto& bins : remembered_->drawn())
             for (const SeenBin& bin : bins) {
-                if (bin.x < axes_.left() || bin.x > axes_.right()) continue;
+                if (bin.x < axes_.left() - beyond || bin.x > axes_.right() + beyond) continue;
                 for (const double z : {bin.band.q10, bin.band.q90}) include(z);
             }
     return axes_.fit(bottom, top,

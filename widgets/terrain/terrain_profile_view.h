@@ -32,6 +32,8 @@ class BinZones;
 class LightSide;
 class LineItem;
 class MarkLetters;
+class MeasuredLine;
+struct MeasuredEnd;
 class RememberedLayer;
 class SampleLines;
 class SecondEstimate;
@@ -57,8 +59,11 @@ struct ArmTip {
 /// no room. A bin with bimodal draws shows both heights.
 /// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
 /// side's line is hollow, and letters stand at their ends.
-/// Remembered ground (remembered_layer.h) reaches beyond the picture: the wheel, + and − zoom, dragging and Shift with an
-/// arrow key pan, a double click or 0 shows the robot again.
+/// The wheel, + and − zoom, dragging and Shift with an arrow key pan, a double click or 0 shows the robot again. Two
+/// fingers zoom and pan, a resting one shows a bin in detail. Remembered ground (remembered_layer.h) reaches beyond the
+/// picture.
+/// While measuring, a drag sets two points. Their distance, rise and slope are shown, with the bands of both heights, or
+/// that one is not felt (measured_line.h). The arrow keys move the second point from bin to bin.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {
@@ -99,10 +104,16 @@ public:
     /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason shown
     /// if nothing is remembered; empty: nothing.
     void setRemembered(const SeenStrip& strip, const QString& why = {});
-    /// Shows `factor` times the width, with x [m] at its place. The whole strip can be seen, and no less than the robot.
+    /// Shows `factor` times the width, with x [m] at its place. From two bins to the whole strip can be seen.
     void zoom(double factor, double x);
-    void pan(double metres);  ///< moves the window forward, within the strip
+    void zoomAt(double factor, QPointF at);  ///< the same with a point [m] at its place
+    void pan(double metres);                 ///< moves the window forward, within the strip
+    void panBy(QPointF metres);  ///< the same upwards, too, where the picture is close up
     void resetZoom();
+    void setMeasuring(bool on);
+    bool measures() const { return measures_; }
+    /// Returns the measurement as lines (measuredText()); empty: the view does not measure.
+    QStringList measuredLines() const;
     bool isZoomed() const { return axes_.zoom() != 1.0 || axes_.shift() != 0.0; }
     void inspect(std::optional<int> bin);  ///< shows a bin in detail
     /// Mutes the drawing, which is `age` [s] old; empty: it is current.
@@ -130,6 +141,7 @@ signals:
     /// two sides it is on the one in full.
     void binChosen(terratact::ProbePlace place);
     void shownSidesChanged();
+    void measuringChanged(bool on);
 
 public:
     /// Applies the current theme and font; runs by itself soon after they change.
@@ -148,6 +160,11 @@ protected:
 
 private:
     static constexpr std::size_t kKinds = kProvenances.size();
+    /// An end of the measurement as it was chosen [m].
+    struct PictureEnd {
+        QPointF at;
+        bool isOnGround = true;  ///< at the height of the ground, wherever that will be
+    };
 
     void addLines();
     void addBars();
@@ -171,10 +188,21 @@ private:
     const TerrainEstimate& of(Side side) const { return estimate_->side[indexOf(side)]; }
     void showNote(const QString& note, bool warns);
     void showRemembered();
-    void setWindow(double zoom, double shift);
+    void setWindow(double zoom, double shift, double rise);
     void showWindow();
+    double middleHeight() const;
     bool navigate(QEvent& event);
     bool navigateByKey(const QKeyEvent& event);
+    // What a pointer does: the mouse, or a finger [px].
+    void press(QPointF pixel);
+    void drag(QPointF pixel);
+    void choose(QPointF pixel);
+    void addTouch();
+    MeasuredEnd groundAt(double x) const;
+    PictureEnd endNear(QPointF at) const;
+    MeasuredEnd measuredEnd(const PictureEnd& end) const;
+    void showMeasurement();
+    bool measureByKey(const QKeyEvent& event);
     void arrangeNotes();
     int bottomOf(const QwtPlotTextLabel& note) const;
     void placeCorner();
@@ -217,7 +245,11 @@ private:
     RememberedLayer* remembered_ = nullptr;
     QwtPlotTextLabel* rememberedNote_ = nullptr;
     QString whyNothingRemembered_;
-    std::optional<double> dragged_;  ///< [m] x under the pointer since it was pressed
+    std::optional<QPointF> grabbed_;  ///< [m] under the pointer since it was pressed
+    bool measures_ = false;
+    bool isDrawn_ = false;  ///< the drag has begun a measurement
+    std::array<PictureEnd, 2> ends_{};
+    MeasuredLine* measured_ = nullptr;
     TwoHeights* twoHeights_ = nullptr;
     StaleOverlay* staleOverlay_ = nullptr;
     BinInspector* inspector_ = nullptr;

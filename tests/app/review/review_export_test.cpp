@@ -10,6 +10,7 @@
 
 #include "app/pages/numbers_page.h"
 #include "app/pages/terrain_page.h"
+#include "app/pages/terrain_picture.h"
 #include "app/review/review_window.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_bench.h"

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <functional>
+
+class QMenu;
+class QPoint;
+
+namespace terratact {
+
+class KeyTable;
+class TerrainProfileView;
+
+/// The context menu of the terrain's picture: copy it or its numbers, export it, measure, zoom. A right click, the Menu
+/// key and Shift+F10 open it. The menu is made at its first use. It commands nothing.
+class PictureTools final : public QObject {
+    Q_OBJECT
+public:
+    /// stepLimit: returns the step limit of the copied numbers [m].
+    PictureTools(TerrainProfileView& view, std::function<double()> stepLimit);
+
+    void addKeys(KeyTable& keys);
+    void openMenu(const QPoint& at);       ///< in coordinates of the screen
+    QMenu* menu() const { return menu_; }  ///< null before its first use
+
+    void copyPicture() const;
+    void copyNumbers() const;  ///< of the estimate, and of a measurement
+    void measure();  ///< begins to measure in the picture, which gets the focus, or ends it
+
+signals:
+    void exportWanted();
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void makeMenu();
+
+    TerrainProfileView& view_;
+    std::function<double()> stepLimit_;
+    QPointer<QMenu> menu_;
+};
+
+/// Asks for a file and saves the picture in its colours (savePicture()). done: gets the path and an error text, which is
+/// empty if the file was written.
+void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
+                       std::function<void(const QString& path, const QString& trouble)> done);
+
+}  // namespace terratact
