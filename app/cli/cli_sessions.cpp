@@ -126,12 +126,17 @@ void addSessionStrip(CLI::App& session, Job& job)
 void addSessionReport(CLI::App& session, Job& job)
 {
     auto* c =
-        session.add_subcommand("report", "One page about a scene: profile, numbers, settings, "
-                                         "decisions");
+        session.add_subcommand("report", "One page about a scene, or the mission report of the "
+                                         "whole session");
     const auto o = std::make_shared<SessionReportOptions>();
     addInput(*c, "file", o->file, "Session (*.tts)")->required();
-    c->add_option("--scene", o->scene, "Its number; without it the last")
-        ->check(CLI::Range(1, 1'000'000'000));
+    auto* scene = c->add_option("--scene", o->scene, "Its number; without it the last")
+                      ->check(CLI::Range(1, 1'000'000'000));
+    c->add_flag(
+         "--mission", o->mission,
+         "The whole session: facts, felt ground, decisions, alarms, settings, hashes; PDF or "
+         "HTML")
+        ->excludes(scene);
     addInput(*c, "--dbc", o->dbc,
              "DBC file: adds the newest values of frames that are not the protocol's; may be "
              "repeated")

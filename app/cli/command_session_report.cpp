@@ -1,10 +1,29 @@
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "app/cli/session_commands.h"
+#include "app/figures/mission_report.h"
 #include "app/figures/session_report.h"
 #include "app/runtime/print_text.h"
 
 namespace terratact {
+
+namespace {
+
+Status reportMission(SessionReader& session, const SessionReportOptions& options,
+                     const std::shared_ptr<const DbcBook>& book)
+{
+    const auto report = missionReportOf(session, {}, book);
+    if (!report) return report.error();
+    const bool isReplaced = std::filesystem::exists(options.out);
+    if (Status written = writeDocument(options.out, *report); !written) return written;
+    printText("{} written to {}{}\n", report->title, options.out,
+              isReplaced ? ", in place of the file there" : "");
+    return Done{};
+}
+
+}  // namespace
 
 Status reportSession(const SessionReportOptions& options)
 {
@@ -14,6 +33,7 @@ Status reportSession(const SessionReportOptions& options)
     if (!book) return book.error();
     for (const Message& remark : remarksOf(*book))
         printText(stderr, "terratact: {}\n", remark.english());
+    if (options.mission) return reportMission(*session, options, *book);
     const auto report = reportOf(*session, options.scene, {}, *book);
     if (!report) return report.error();
     if (Status written = writeReport(options.out, *report); !written) return written;

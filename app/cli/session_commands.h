@@ -71,6 +71,7 @@ Status mergeSessions(const SessionMergeOptions& options);
 struct SessionReportOptions {
     std::string file, out;
     std::int64_t scene = 0;          ///< 0: the last estimated scene
+    bool mission = false;            ///< the whole session instead of a scene
     std::vector<std::string> dbc{};  ///< DBC files for frames outside the protocol
 };
 Status reportSession(const SessionReportOptions& options);

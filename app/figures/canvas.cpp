@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/base/text.h"
 #include "core/store/file_write.h"
 
 #ifdef __has_feature  // clang
@@ -69,13 +70,22 @@ cairo_status_t renderSvg(std::string& bytes, int width, int height,
     return cairo_surface_status(surface.get());
 }
 
+constexpr double kPoint = 72.0 / 150.0;  // points per pixel
+
+/// Returns a surface of PDF without the time of its creation, which would make equal files differ.
+Surface pdfSurface(std::string& bytes, int width, int height)
+{
+    Surface surface(
+        cairo_pdf_surface_create_for_stream(append, &bytes, kPoint * width, kPoint * height),
+        cairo_surface_destroy);
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+    return surface;
+}
+
 cairo_status_t renderPdf(std::string& bytes, int width, int height,
                          const std::function<void(Canvas&)>& draw)
 {
-    constexpr double kPoint = 72.0 / 150.0;  // points per pixel
-    const Surface surface(
-        cairo_pdf_surface_create_for_stream(append, &bytes, kPoint * width, kPoint * height),
-        cairo_surface_destroy);
+    const Surface surface = pdfSurface(bytes, width, height);
     paint(surface.get(), [&](Canvas& canvas) { canvas.place({}, kPoint, draw); });
     cairo_surface_finish(surface.get());
     return cairo_surface_status(surface.get());
@@ -89,6 +99,21 @@ bool fontExists()
     cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
     return cairo_scaled_font_get_type(cairo_get_scaled_font(context.get())) != CAIRO_FONT_TYPE_USER;
+}
+
+/// Writes what `render` appends to the bytes. Errors name the file.
+Status writeDrawn(const std::string& path,
+                  const std::function<cairo_status_t(std::string& bytes)>& render)
+{
+    if (!fontExists())
+        return Error{path
+                     + ": cannot be drawn: no font is installed, so no text could be read; "
+                       "install one, such as fonts-dejavu-core"};
+    std::string bytes;
+    const cairo_status_t status = render(bytes);
+    if (status != CAIRO_STATUS_SUCCESS)
+        return Error{path + ": cannot be drawn: " + cairo_status_to_string(status)};
+    return writeFileAtomically(path, bytes);
 }
 
 /// Removes the last character of a UTF-8 text.
@@ -267,15 +292,26 @@ Status writePicture(const std::string& path, int width, int height,
                       : path.ends_with(".pdf") ? renderPdf
                                                : nullptr;
     if (!render) return Error{path + ": a figure's file ends in .png, .svg or .pdf"};
-    if (!fontExists())
-        return Error{path
-                     + ": cannot be drawn: no font is installed, so no text could be read; "
-                       "install one, such as fonts-dejavu-core"};
-    std::string bytes;
-    const cairo_status_t status = render(bytes, width, height, draw);
-    if (status != CAIRO_STATUS_SUCCESS)
-        return Error{path + ": cannot be drawn: " + cairo_status_to_string(status)};
-    return writeFileAtomically(path, bytes);
+    return writeDrawn(path, [&](std::string& bytes) { return render(bytes, width, height, draw); });
+}
+
+Status writePages(const std::string& path, int width, int height, const std::string& title,
+                  const std::function<std::vector<PageDrawing>(Canvas& measuring)>& layout)
+{
+    return writeDrawn(path, [&](std::string& bytes) {
+        const Surface surface = pdfSurface(bytes, width, height);
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
+                                       printable(title).c_str());
+        const Context context(cairo_create(surface.get()), cairo_destroy);
+        Canvas canvas(context.get());
+        for (const PageDrawing& draw : layout(canvas)) {
+            canvas.place({}, kPoint, draw);
+            cairo_show_page(context.get());
+        }
+        const cairo_status_t drawn = cairo_status(context.get());
+        cairo_surface_finish(surface.get());
+        return drawn != CAIRO_STATUS_SUCCESS ? drawn : cairo_surface_status(surface.get());
+    });
 }
 
 std::string svgText(int width, int height, const std::function<void(Canvas&)>& draw)

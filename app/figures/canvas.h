@@ -79,6 +79,15 @@ std::string signedNumber(double value, int digits);
 Status writePicture(const std::string& path, int width, int height,
                     const std::function<void(Canvas&)>& draw);
 
+/// Draws one page, or a part of it.
+using PageDrawing = std::function<void(Canvas&)>;
+
+/// Writes pages of one size as PDF. width, height: [px] at 150 px per inch. layout: gets a canvas that measures texts
+/// and returns the pages. The file names no time, so the same pages and fonts give the same bytes. It is written under a
+/// temporary name and renamed. Errors name the file.
+Status writePages(const std::string& path, int width, int height, const std::string& title,
+                  const std::function<std::vector<PageDrawing>(Canvas& measuring)>& layout);
+
 /// Returns the picture as the text of an SVG file.
 std::string svgText(int width, int height, const std::function<void(Canvas&)>& draw);
 

@@ -56,7 +56,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
+      *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | "session report":--mission | \
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
@@ -144,7 +144,7 @@ _terratact_options() {
     "session recover") echo --out ;;
     "session scenes") echo --out --measured --tracks ;;
     "session strip") echo --out --section ;;
-    "session report") echo --scene --dbc --out ;;
+    "session report") echo --scene --mission --dbc --out ;;
     "session merge") echo --out ;;
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;

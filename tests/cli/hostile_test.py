@@ -51,7 +51,9 @@ class Links(Scenes):
                 ("csv", "session", "scenes", DEMO),
                 ("csv", "session", "what-if", DEMO),
                 ("pdf", "session", "report", DEMO),
-                ("html", "session", "report", DEMO)):
+                ("html", "session", "report", DEMO),
+                ("pdf", "session", "report", DEMO, "--mission"),
+                ("html", "session", "report", DEMO, "--mission")):
             with self.subTest(arguments=arguments):
                 file = out.with_suffix("." + ending)
                 self.refused(file, *arguments, "--out", file)

@@ -245,6 +245,34 @@ class Report(Session):
             self.assertIn(words, page)
         self.assertIn("no scene 9", complaint("session", "report", self.drive, "--scene", 9, "--out", out))
 
+    def test_the_mission_report_holds_the_whole_session(self):
+        source = f"{SOURCE}/resources/sessions/two_tracks.tts"
+        out = self.path / "mission.html"
+        text = run("session", "report", source, "--mission", "--out", out)
+        self.assertNotIn("in place of", text)
+        page = out.read_text()
+        info = run("session", "info", source)
+        link = re.search(r"last link +([0-9a-f]{64})", info)[1]
+        for words in ("Strip of felt ground", "Settings in force", "No alarm was raised", "probe proposed on estimate 1",
+                      "operator: approve", "error against the truth", "Every hash holds", link):
+            self.assertIn(words, page)
+        self.assertNotRegex(page, r"<script|https?://(?!www\.w3\.org/)")
+        names = re.findall(r'\bid="([^"]*)"', page)
+        self.assertEqual(len(names), len(set(names)))
+        self.assertIn("in place of the file there", run("session", "report", source, "--mission", "--out", out))
+
+    def test_the_mission_report_has_the_same_bytes_again(self):
+        pages = []
+        for name in ("a.pdf", "b.pdf"):
+            run("session", "report", self.drive, "--mission", "--out", self.path / name)
+            pages.append((self.path / name).read_bytes())
+        self.assertTrue(pages[0].startswith(b"%PDF"))
+        self.assertEqual(pages[0], pages[1])
+        self.assertNotIn(b"CreationDate", pdf_objects(pages[0]))
+        out = self.path / "mission.png"
+        self.assertIn(".pdf or .html", complaint("session", "report", self.drive, "--mission", "--out", out))
+        self.assertFalse(out.exists())
+
 
 if __name__ == "__main__":
     unittest.main()
