@@ -15,10 +15,10 @@
 #include <QSignalBlocker>
 #include <QStandardPaths>
 #include <QVBoxLayout>
-#include <array>
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/review/review_export_choices.h"
 #include "app/shell/file_dialog.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
@@ -31,62 +31,9 @@ namespace {
 constexpr int kLookEvery = 200;  // [ms]
 constexpr int kPathWide = 420;   // [px] at 100 %
 
-/// Source of an export's data.
-enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
-
-struct Choice {
-    const char* name;
-    const char* part;     ///< part of the file name
-    QStringList formats;  ///< file endings
-    From from = From::Rows;
-    std::optional<ExportKind> rows{};  ///< empty: all rows that the format supports
-};
-
-/// Returns the choices in the order of the list.
-const std::array<Choice, 8>& choices()
+const ExportChoice& chosen(const QComboBox& what)
 {
-    static const std::array<Choice, 8> all{
-        {{QT_TRANSLATE_NOOP("ReviewExport", "Picture of the terrain"),
-          "terrain",
-          {"png", "svg", "pdf"},
-          From::Picture},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Numbers of this time"),
-          "numbers",
-          {"csv"},
-          From::Numbers},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Report of the scene, one page"),
-          "report",
-          {"pdf", "svg", "png", "html"},
-          From::Report},
-         {QT_TRANSLATE_NOOP("ReviewExport", "CAN frames"),
-          "frames",
-          {"csv", "log", "asc", "mcap"},
-          From::Rows,
-          ExportKind::Frames},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Signals, a column for each"),
-          "signals",
-          {"csv", "mcap"},
-          From::Rows,
-          ExportKind::Signals},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Estimates, a row for each bin"),
-          "estimates",
-          {"csv", "mcap"},
-          From::Rows,
-          ExportKind::Estimates},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Events"),
-          "events",
-          {"csv", "mcap"},
-          From::Rows,
-          ExportKind::Events},
-         {QT_TRANSLATE_NOOP("ReviewExport", "Frames, signals, estimates and events"),
-          "all",
-          {"mcap"}}}};
-    return all;
-}
-
-const Choice& chosen(const QComboBox& what)
-{
-    return choices().at(static_cast<std::size_t>(what.currentIndex()));
+    return exportChoices().at(static_cast<std::size_t>(what.currentIndex()));
 }
 
 /// Returns a format's name for its file ending, with the programs that read it.
@@ -99,9 +46,10 @@ QString formatName(const QString& ending)
 }
 
 /// Returns true if the export can include signals of DBC files, like session export --dbc.
-bool holdsSignals(const Choice& choice)
+bool holdsSignals(const ExportChoice& choice)
 {
-    return choice.from == From::Rows && (!choice.rows || *choice.rows == ExportKind::Signals);
+    return choice.from == ExportSource::Rows
+        && (!choice.rows || *choice.rows == ExportKind::Signals);
 }
 
 QString spanWords(double first, double last)
@@ -111,7 +59,8 @@ QString spanWords(double first, double last)
 
 /// Returns a default path without ending in the documents folder. The name states content and time, so that two exports
 /// differ.
-QString startFile(const QString& session, const Choice& choice, const ExportViewState& viewState)
+QString startFile(const QString& session, const ExportChoice& choice,
+                  const ExportViewState& viewState)
 {
     const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
     QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -119,9 +68,9 @@ QString startFile(const QString& session, const Choice& choice, const ExportView
     // Shortens a long session name, so that the whole name stays a valid file name.
     QString name = format::fileName(QFileInfo(session).completeBaseName()) + QLatin1Char('-')
                  + QLatin1String(choice.part);
-    if (choice.from == From::Report)
+    if (choice.from == ExportSource::Report)
         name += QStringLiteral("-scene%1").arg(viewState.scene);
-    else if (choice.from != From::Rows)
+    else if (choice.from != ExportSource::Rows && choice.from != ExportSource::Mission)
         name += QStringLiteral("-%1s").arg(seconds(viewState.now));
     return folder + QLatin1Char('/') + name;
 }
@@ -177,7 +126,7 @@ QWidget* ReviewExportDialog::form()
         return box;
     };
     what_ = combo(tr("What"), tr("Part of the session to export"));
-    for (const Choice& choice : choices())
+    for (const ExportChoice& choice : exportChoices())
         what_->addItem(QCoreApplication::translate("ReviewExport", choice.name));
     format_ = combo(tr("Format"), tr("Which programs can read it"));
     addField(*rows, tr("Of"), span());
@@ -306,15 +255,18 @@ void ReviewExportDialog::showViewState()
                                                  : tr("what is visible, %1");
     visible_->setText(visible.arg(spanWords(viewState_.first, viewState_.last)));
     everything_->setText(tr("everything, %1").arg(spanWords(viewState_.begin, viewState_.end)));
-    const From from = chosen(*what_).from;
-    moment_->setText(from != From::Report   ? tr("this time, %1").arg(timeWords(viewState_.now))
-                     : viewState_.scene > 0 ? tr("scene %1").arg(viewState_.scene)
-                                            : tr("there is no estimate at this time"));
-    moment_->setVisible(from != From::Rows);
+    const ExportSource from = chosen(*what_).from;
+    moment_->setText(
+        from == ExportSource::Mission
+            ? tr("the whole session, %1").arg(spanWords(viewState_.begin, viewState_.end))
+        : from != ExportSource::Report ? tr("this time, %1").arg(timeWords(viewState_.now))
+        : viewState_.scene > 0         ? tr("scene %1").arg(viewState_.scene)
+                                       : tr("there is no estimate at this time"));
+    moment_->setVisible(from != ExportSource::Rows);
     showPayload();
     nameFile();
-    visible_->setVisible(from == From::Rows);
-    everything_->setVisible(from == From::Rows);
+    visible_->setVisible(from == ExportSource::Rows);
+    everything_->setVisible(from == ExportSource::Rows);
     showButtons();
 }
 
@@ -338,7 +290,7 @@ void ReviewExportDialog::showPayload()
 std::optional<QString> ReviewExportDialog::whyNotExport() const
 {
     if (job_) return tr("A file is being written");
-    if (chosen(*what_).from == From::Report && viewState_.scene == 0)
+    if (chosen(*what_).from == ExportSource::Report && viewState_.scene == 0)
         return tr("There is no estimate at this time");
     if (path_->text().trimmed().isEmpty()) return tr("Name the file first");
     return std::nullopt;
@@ -379,20 +331,21 @@ void ReviewExportDialog::browse()
 
 void ReviewExportDialog::write()
 {
-    const Choice& choice = chosen(*what_);
+    const ExportChoice& choice = chosen(*what_);
     to_ = path();
     path_->setText(to_);
     switch (choice.from) {
-    case From::Picture: return wrote(sources_.savePicture(to_));
-    case From::Numbers: return wrote(sources_.saveNumbers(to_));
-    case From::Report:
-    case From::Rows: break;
+    case ExportSource::Picture: return wrote(sources_.savePicture(to_));
+    case ExportSource::Numbers: return wrote(sources_.saveNumbers(to_));
+    case ExportSource::Report:
+    case ExportSource::Mission:
+    case ExportSource::Rows: break;
     }
     SessionExportJob::Wish wish{.session = sources_.session.toStdString(),
                                 .out = to_.toStdString()};
-    if (choice.from == From::Report) {
+    if (choice.from == ExportSource::Report) {
         wish.scene = viewState_.scene;
-    } else {
+    } else if (choice.from == ExportSource::Rows) {
         wish.format = exportFormatOf(wish.out);
         wish.selection.what = choice.rows;
         if (holdsSignals(choice) && payload_->isChecked())

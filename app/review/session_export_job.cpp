@@ -4,6 +4,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/figures/mission_report.h"
 #include "app/figures/session_report.h"
 #include "core/log/session_reader.h"
 
@@ -17,6 +18,11 @@ Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
 {
     const auto book = readDbcBook(CanProtocol::Terratact, wish.dbc);
     if (!book) return book.error();
+    if (wish.scene == 0) {
+        const auto mission = missionReportOf(session, progress, *book);
+        if (!mission) return mission.error();
+        return writeDocument(wish.out, *mission);
+    }
     const auto report = reportOf(session, wish.scene, progress, *book);
     if (!report) return report.error();
     return writeReport(wish.out, *report);

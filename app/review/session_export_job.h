@@ -18,9 +18,9 @@ class SessionExportJob final : public QObject {
 public:
     struct Wish {
         std::string session, out;
-        std::optional<ExportFormat> format{};  ///< empty: the report of a scene
+        std::optional<ExportFormat> format{};  ///< empty: a report
         ExportSelection selection{};
-        std::int64_t scene = 0;          ///< scene of the report
+        std::int64_t scene = 0;          ///< scene of the report; 0: the mission report
         std::vector<std::string> dbc{};  ///< DBC files from which selection.book is made
     };
     explicit SessionExportJob(Wish wish);

@@ -1045,6 +1045,10 @@ značka K</translation>
         <source>Frames, signals, estimates and events</source>
         <translation>Rámce, signály, odhady a události</translation>
     </message>
+    <message>
+        <source>Mission report, the whole session</source>
+        <translation>Zpráva o misi, celý záznam</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -7802,6 +7806,10 @@ F1</translation>
     <message>
         <source>messages of DBC files left out for lack of room: %1</source>
         <translation>vynechané zprávy ze souborů DBC, na něž nezbylo místo: %1</translation>
+    </message>
+    <message>
+        <source>the whole session, %1</source>
+        <translation>celý záznam, %1</translation>
     </message>
 </context>
 <context>

@@ -1045,6 +1045,10 @@ Marke K</translation>
         <source>Frames, signals, estimates and events</source>
         <translation>Frames, Signale, Schätzungen und Ereignisse</translation>
     </message>
+    <message>
+        <source>Mission report, the whole session</source>
+        <translation>Einsatzbericht, ganze Aufzeichnung</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -7802,6 +7806,10 @@ F1</translation>
     <message>
         <source>messages of DBC files left out for lack of room: %1</source>
         <translation>ausgelassene Nachrichten aus DBC-Dateien, für die kein Platz war: %1</translation>
+    </message>
+    <message>
+        <source>the whole session, %1</source>
+        <translation>die ganze Aufzeichnung, %1</translation>
     </message>
 </context>
 <context>

@@ -71,6 +71,9 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     write();
     EXPECT_NE(written("report.html").find("Scene 1 of review.tts"), std::string::npos);
     window->goTo(0.0);
+    choose("Mission report", ".html", "mission.html");
+    write();
+    EXPECT_NE(written("mission.html").find("Decisions and their numbers"), std::string::npos);
     choose("Report", ".html", "none.html");
     EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "there is no estimate";
 }
