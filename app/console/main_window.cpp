@@ -25,7 +25,7 @@
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
 #include "app/pages/plots_page.h"
-#include "app/recording/session_folder.h"
+#include "app/sessions/open_recording.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
 #include "app/shell/view_menu.h"
@@ -355,9 +355,8 @@ void MainWindow::releaseStop()
 
 void MainWindow::open()
 {
-    askAndOpenInAnotherWindow(
-        *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
-        sharedStop_->line(), notOpened());
+    openRecording(*this, recordingsOf(recorder_.get(), *preferences_), sharedStop_->line(),
+                  notOpened());
 }
 
 std::function<void(const QString&)> MainWindow::notOpened()

@@ -68,10 +68,18 @@ std::int64_t ListedSession::notes() const
     return (summary ? summary->marks : 0) + static_cast<std::int64_t>(reviewNotes.size());
 }
 
+ListedSession listRecorded(const std::string& path)
+{
+    return {.path = path,
+            .bytes = sizeOf(path) + sizeOf(path + "-wal"),
+            .written = writtenAt(path),
+            .isRecorded = true};
+}
+
 ListedSession listSession(const std::string& path, const std::stop_token& stop)
 {
-    ListedSession listed{
-        .path = path, .bytes = sizeOf(path) + sizeOf(path + "-wal"), .written = writtenAt(path)};
+    ListedSession listed = listRecorded(path);
+    listed.isRecorded = false;
     auto summary = summarizeSession(path, stop);
     if (summary)
         listed.summary = *std::move(summary);

@@ -28,6 +28,7 @@ struct ListedSession {
     std::string path;
     std::int64_t bytes = 0;    ///< of the file and its journal
     std::int64_t written = 0;  ///< last write [ns] since 1970
+    bool isRecorded = false;   ///< this program is recording it: it was not opened
     std::optional<SessionSummary> summary{};
     Message trouble{};                       ///< why there is no summary, without the file's name
     std::vector<std::string> reviewNotes{};  ///< of reviews (app/recording/review_notes.h)
@@ -41,6 +42,8 @@ struct ListedSession {
 /// Reads what a list shows of a recording (summarizeSession()). The notes of reviews are read from the
 /// file beside it, if that has at most kMaxNotesFile bytes. stop: ends the reading early.
 ListedSession listSession(const std::string& path, const std::stop_token& stop = {});
+/// Returns what is known without opening a file that this program is recording.
+ListedSession listRecorded(const std::string& path);
 inline constexpr std::int64_t kMaxNotesFile = std::int64_t{1} << 20U;
 
 }  // namespace terratact

@@ -28,6 +28,7 @@
 #include "app/review/review_timeline.h"
 #include "app/review/what_if_page.h"
 #include "app/runtime/steady_now.h"
+#include "app/sessions/open_recording.h"
 #include "app/shell/open_file.h"
 #include "app/shell/view_menu.h"
 #include "widgets/base/held_button.h"
@@ -340,7 +341,7 @@ void ReviewWindow::open()
 {
     player_->pause();
     const QString folder = QFileInfo(QString::fromStdString(session_.path())).absolutePath();
-    askAndOpenInAnotherWindow(*this, folder, {}, notOpened());
+    openRecording(*this, {.folder = folder, .store = preferences_.get()}, {}, notOpened());
 }
 
 std::function<void(const QString&)> ReviewWindow::notOpened()

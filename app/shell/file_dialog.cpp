@@ -28,7 +28,9 @@ public:
     {
         const bool writes = wish.kind == FileWish::Kind::ToWrite;
         setAcceptMode(writes ? AcceptSave : AcceptOpen);
-        setFileMode(writes ? AnyFile : ExistingFile);
+        const bool isFolder = wish.kind == FileWish::Kind::Folder;
+        setFileMode(writes ? AnyFile : isFolder ? Directory : ExistingFile);
+        setOption(ShowDirsOnly, isFolder);
         setOption(DontConfirmOverwrite);  // the exporter itself asks about replacing a file
         setOption(ReadOnly);              // no renaming or deleting in this dialog
         setNameFilter(wish.filter);
@@ -41,7 +43,9 @@ public:
         else if (!folder.isEmpty())
             setDirectory(folder);
         connect(this, &QFileDialog::fileSelected, this, [title = wish.title](const QString& file) {
-            lastFolders()[title] = QFileInfo(file).absolutePath();
+            const QFileInfo chosen(file);
+            lastFolders()[title] =
+                chosen.isDir() ? chosen.absoluteFilePath() : chosen.absolutePath();
         });
         if (auto* const name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
             connect(name, &QLineEdit::textEdited, this,

@@ -8,9 +8,9 @@ class QWidget;
 
 namespace terratact {
 
-/// Options of a file dialog.
+/// Options of a dialog for a file or a folder.
 struct FileWish {
-    enum class Kind : std::uint8_t { Existing, ToWrite };
+    enum class Kind : std::uint8_t { Existing, ToWrite, Folder };
     QString title;
     /// A file, or the start folder of the first call. Later dialogs with the same title begin where their last file
     /// was. Empty: the last folder of any dialog, else the working directory.

@@ -211,6 +211,7 @@ void visit(Visitor visitor, Values& p)
     visitor.number("gamepad-dead-zone", p.pad.deadZone, kDeadZoneRange);
     visitor.number("gamepad-speed", p.pad.speedLimit, kPadSpeedRange);
     visitor.lines("plot-sets", p.plotSets, kMaxPlotSets);
+    visitor.path("session-folder", p.sessionFolder);
     visitor.bytes("window", p.window);
 }
 
@@ -329,6 +330,7 @@ QString changesOf(const Preferences& before, const Preferences& now)
         QList<std::pair<QString, QString>> values;
         preferences.window.clear();
         preferences.plotSets.clear();
+        preferences.sessionFolder.clear();
         visit(Writer{[&values](const char* key, const QString& text) {
                   values.emplace_back(QLatin1String(key), text);
               }},

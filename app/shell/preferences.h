@@ -46,8 +46,9 @@ struct Preferences {
     int keepDays = 0, keepGigabytes = 0;  ///< retention of recordings; 0: no limit
     bool mayDelete = false;  ///< deletes recordings beyond the limits; otherwise only reports them
     PadSettings pad;         ///< the gamepad
-    QStringList plotSets;  ///< saved sets of plots (app/pages/plots_state.h), at most kMaxPlotSets
-    QByteArray window;     ///< QWidget::saveGeometry(); empty: none yet
+    QStringList plotSets;   ///< saved sets of plots (app/pages/plots_state.h), at most kMaxPlotSets
+    QString sessionFolder;  ///< folder of the browser of recordings; empty: the console's own
+    QByteArray window;      ///< QWidget::saveGeometry(); empty: none yet
     AttitudeLimits tilt() const { return {tiltAmber, tiltRed}; }
     bool operator==(const Preferences&) const = default;
 };
@@ -99,7 +100,8 @@ LoadedPreferences loadPreferences(const QString& path);
 std::optional<Message> savePreferences(const QString& path, const Preferences& preferences);
 
 /// Returns every changed preference by its key in the file, for the session's record: "method: local → pafc; sound:
-/// true → false". The window geometry and the plots are omitted.
+/// true → false". The window geometry, the plots and the browser's folder are
+/// omitted.
 QString changesOf(const Preferences& before, const Preferences& now);
 
 // Sentences for a preferred file that could not be used.

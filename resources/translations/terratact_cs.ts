@@ -4633,11 +4633,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>reading was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>čtení bylo zrušeno</translation>
     </message>
     <message>
         <source>the folder cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>složku nelze číst: %1</translation>
     </message>
 </context>
 <context>
@@ -8411,6 +8411,230 @@ F1</translation>
     <message>
         <source>%1 shows the window at that time</source>
         <translation>%1 ukazuje okno v té chvíli</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionBrowser</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Záznamy jízd</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens a recording; Alt+1 to Alt+0 sort by a column</source>
+        <translation>Enter nebo dvojklik otevře záznam; Alt+1 až Alt+0 řadí podle sloupce</translation>
+    </message>
+    <message>
+        <source>Search the recordings</source>
+        <translation>Hledat v záznamech</translation>
+    </message>
+    <message>
+        <source>Search (/): date, robot, verdict, notes, state</source>
+        <translation>Hledat (/): datum, robot, verdikt, poznámky, stav</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Složka…</translation>
+    </message>
+    <message>
+        <source>Shows the recordings of another folder, also at the next start</source>
+        <translation>Ukáže záznamy jiné složky, i při příštím spuštění</translation>
+    </message>
+    <message>
+        <source>State of the list</source>
+        <translation>Stav seznamu</translation>
+    </message>
+    <message>
+        <source>O&amp;ther file…</source>
+        <translation>&amp;Jiný soubor…</translation>
+    </message>
+    <message>
+        <source>Asks for a session, a log or scenes anywhere</source>
+        <translation>Zeptá se na relaci, záznam nebo scény kdekoli</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Otevřít</translation>
+    </message>
+    <message>
+        <source>Reviews the chosen recording in a window of its own (Enter)</source>
+        <translation>Otevře vybraný záznam k prohlídce ve vlastním okně (Enter)</translation>
+    </message>
+    <message>
+        <source>reading: %1 of %2 recordings</source>
+        <translation>čte se: %1 z %2 záznamů</translation>
+    </message>
+    <message>
+        <source>%1 of %2 recordings match</source>
+        <translation>odpovídá %1 z %2 záznamů</translation>
+    </message>
+    <message>
+        <source>recordings: %1</source>
+        <translation>záznamů: %1</translation>
+    </message>
+    <message>
+        <source>%1 older ones are not listed</source>
+        <translation>starších mimo seznam: %1</translation>
+    </message>
+    <message>
+        <source>The folder is being read …</source>
+        <translation>Složka se čte …</translation>
+    </message>
+    <message>
+        <source>No recording matches the search.</source>
+        <translation>Hledání neodpovídá žádný záznam.</translation>
+    </message>
+    <message>
+        <source>The folder holds no recording.</source>
+        <translation>Ve složce není žádný záznam.</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Složka záznamů</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionDetails</name>
+    <message>
+        <source>This console is recording it. It can be reviewed meanwhile.</source>
+        <translation>Tato konzole ho právě nahrává. Prohlížet ho lze už teď.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 frames, %4 scenes, %5 estimates</source>
+        <translation>%1 · %2 · rámců %3, scén %4, odhadů %5</translation>
+    </message>
+    <message>
+        <source>last verdicts of the scenes: %1</source>
+        <translation>poslední verdikty scén: %1</translation>
+    </message>
+    <message>
+        <source>probes: %1 approved of %2 proposed; alarms raised: %3</source>
+        <translation>sondy: schváleno %1 z %2 navržených; poplachů: %3</translation>
+    </message>
+    <message>
+        <source>It is still being recorded, or its program died.</source>
+        <translation>Ještě se nahrává, nebo jeho program skončil předčasně.</translation>
+    </message>
+    <message>
+        <source>Its journal is missing or damaged: the end is not in the file.</source>
+        <translation>Jeho žurnál chybí nebo je poškozený: konec v souboru není.</translation>
+    </message>
+    <message>
+        <source>notes: %1</source>
+        <translation>poznámky: %1</translation>
+    </message>
+    <message>
+        <source>Ground of the last estimate</source>
+        <translation>Terén posledního odhadu</translation>
+    </message>
+    <message>
+        <source>No estimate</source>
+        <translation>Žádný odhad</translation>
+    </message>
+    <message>
+        <source>The chosen recording</source>
+        <translation>Vybraný záznam</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionList</name>
+    <message>
+        <source>%1 not read</source>
+        <translation>nečteno %1</translation>
+    </message>
+    <message>
+        <source>● being recorded</source>
+        <translation>● nahrává se</translation>
+    </message>
+    <message>
+        <source>✕ cannot be read</source>
+        <translation>✕ nelze číst</translation>
+    </message>
+    <message>
+        <source>○ not closed</source>
+        <translation>○ neuzavřený</translation>
+    </message>
+    <message>
+        <source>✕ torn</source>
+        <translation>✕ utržený</translation>
+    </message>
+    <message>
+        <source>✕ damaged</source>
+        <translation>✕ poškozený</translation>
+    </message>
+    <message>
+        <source>✓ sealed</source>
+        <translation>✓ uzavřený</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 kB</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>terén</translation>
+    </message>
+    <message>
+        <source>begins</source>
+        <translation>začátek</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>lasts</source>
+        <translation>délka</translation>
+    </message>
+    <message>
+        <source>verdicts</source>
+        <translation>verdikty</translation>
+    </message>
+    <message>
+        <source>probes</source>
+        <translation>sondy</translation>
+    </message>
+    <message>
+        <source>alarms</source>
+        <translation>poplachy</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>velikost</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>stav</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>poznámky</translation>
+    </message>
+    <message>
+        <source>picture of the last estimate</source>
+        <translation>obrázek posledního odhadu</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>žádný odhad</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionListView</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Záznamy jízd</translation>
     </message>
 </context>
 <context>

@@ -4633,11 +4633,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>reading was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>das Lesen wurde abgebrochen</translation>
     </message>
     <message>
         <source>the folder cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner kann nicht gelesen werden: %1</translation>
     </message>
 </context>
 <context>
@@ -8411,6 +8411,230 @@ F1</translation>
     <message>
         <source>%1 shows the window at that time</source>
         <translation>%1 zeigt das Fenster zu dieser Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionBrowser</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens a recording; Alt+1 to Alt+0 sort by a column</source>
+        <translation>Enter oder ein Doppelklick öffnet eine Aufzeichnung; Alt+1 bis Alt+0 sortieren nach einer Spalte</translation>
+    </message>
+    <message>
+        <source>Search the recordings</source>
+        <translation>Aufzeichnungen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search (/): date, robot, verdict, notes, state</source>
+        <translation>Suchen (/): Datum, Roboter, Urteil, Notizen, Zustand</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Shows the recordings of another folder, also at the next start</source>
+        <translation>Zeigt die Aufzeichnungen eines anderen Ordners, auch beim nächsten Start</translation>
+    </message>
+    <message>
+        <source>State of the list</source>
+        <translation>Zustand der Liste</translation>
+    </message>
+    <message>
+        <source>O&amp;ther file…</source>
+        <translation>&amp;Andere Datei…</translation>
+    </message>
+    <message>
+        <source>Asks for a session, a log or scenes anywhere</source>
+        <translation>Fragt nach einer Sitzung, einem Protokoll oder Szenen an beliebigem Ort</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Reviews the chosen recording in a window of its own (Enter)</source>
+        <translation>Öffnet die gewählte Aufzeichnung zur Durchsicht in einem eigenen Fenster (Enter)</translation>
+    </message>
+    <message>
+        <source>reading: %1 of %2 recordings</source>
+        <translation>es wird gelesen: %1 von %2 Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 recordings match</source>
+        <translation>%1 von %2 Aufzeichnungen passen</translation>
+    </message>
+    <message>
+        <source>recordings: %1</source>
+        <translation>Aufzeichnungen: %1</translation>
+    </message>
+    <message>
+        <source>%1 older ones are not listed</source>
+        <translation>%1 ältere sind nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>The folder is being read …</source>
+        <translation>Der Ordner wird gelesen …</translation>
+    </message>
+    <message>
+        <source>No recording matches the search.</source>
+        <translation>Keine Aufzeichnung passt zur Suche.</translation>
+    </message>
+    <message>
+        <source>The folder holds no recording.</source>
+        <translation>Der Ordner enthält keine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufzeichnungen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionDetails</name>
+    <message>
+        <source>This console is recording it. It can be reviewed meanwhile.</source>
+        <translation>Diese Konsole zeichnet sie gerade auf. Sie kann schon durchgesehen werden.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 frames, %4 scenes, %5 estimates</source>
+        <translation>%1 · %2 · %3 Rahmen, %4 Szenen, %5 Schätzungen</translation>
+    </message>
+    <message>
+        <source>last verdicts of the scenes: %1</source>
+        <translation>letzte Urteile der Szenen: %1</translation>
+    </message>
+    <message>
+        <source>probes: %1 approved of %2 proposed; alarms raised: %3</source>
+        <translation>Sondierungen: %1 von %2 vorgeschlagenen genehmigt; Alarme: %3</translation>
+    </message>
+    <message>
+        <source>It is still being recorded, or its program died.</source>
+        <translation>Sie wird noch aufgezeichnet, oder ihr Programm ist abgestürzt.</translation>
+    </message>
+    <message>
+        <source>Its journal is missing or damaged: the end is not in the file.</source>
+        <translation>Ihr Journal fehlt oder ist beschädigt: Das Ende ist nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>notes: %1</source>
+        <translation>Notizen: %1</translation>
+    </message>
+    <message>
+        <source>Ground of the last estimate</source>
+        <translation>Boden der letzten Schätzung</translation>
+    </message>
+    <message>
+        <source>No estimate</source>
+        <translation>Keine Schätzung</translation>
+    </message>
+    <message>
+        <source>The chosen recording</source>
+        <translation>Die gewählte Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionList</name>
+    <message>
+        <source>%1 not read</source>
+        <translation>%1 nicht gelesen</translation>
+    </message>
+    <message>
+        <source>● being recorded</source>
+        <translation>● läuft</translation>
+    </message>
+    <message>
+        <source>✕ cannot be read</source>
+        <translation>✕ unlesbar</translation>
+    </message>
+    <message>
+        <source>○ not closed</source>
+        <translation>○ nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>✕ torn</source>
+        <translation>✕ abgerissen</translation>
+    </message>
+    <message>
+        <source>✕ damaged</source>
+        <translation>✕ beschädigt</translation>
+    </message>
+    <message>
+        <source>✓ sealed</source>
+        <translation>✓ versiegelt</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 kB</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>begins</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>lasts</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>verdicts</source>
+        <translation>Urteile</translation>
+    </message>
+    <message>
+        <source>probes</source>
+        <translation>Sonden</translation>
+    </message>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>picture of the last estimate</source>
+        <translation>Bild der letzten Schätzung</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>keine Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SessionListView</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
     </message>
 </context>
 <context>

@@ -113,7 +113,7 @@ TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
         return [button] { QTest::mouseClick(button, Qt::LeftButton); };
     };
     const std::pair<const char*, std::function<void()>> ways[]{
-        {"a file", [&] { QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier); }},
+        {"a recording", [&] { QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier); }},
         {"a model", press(window->settings()->modelButton())},
         {"a robot", press(window->settings()->robotButton())}};
     for (const int letters : {100, 200})
@@ -124,13 +124,17 @@ TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
             QTest::keyClick(window.get(), Qt::Key_F7);
             opens();
             opens();
-            const auto dialogs = window->findChildren<QFileDialog*>();
+            const auto dialogs = window->findChildren<QDialog*>();
             ASSERT_EQ(dialogs.size(), 1) << what << ": one of a kind";
-            QFileDialog& dialog = *dialogs.front();
+            QDialog& dialog = *dialogs.front();
+            const bool asksForFile = qobject_cast<QFileDialog*>(&dialog) != nullptr;
+            auto* const field = dialog.findChild<QLineEdit*>(
+                asksForFile ? QStringLiteral("fileNameEdit") : QString());
+            ASSERT_TRUE(field);
             ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
             EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << what;
             for (const Qt::Key key : gui::kStopKeys) {
-                QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), key);
+                QTest::keyClick(field, key);
                 EXPECT_EQ(stopsPressed(), 1) << what << ", " << key;
             }
             clickStop();
@@ -139,9 +143,10 @@ TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
                 << what << " lies upon STOP, letters " << letters;
             if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
                 !folder.isEmpty())
-                dialog.grab().save(folder + "/choose-a-file.png");
+                dialog.grab().save(
+                    QStringLiteral("%1/choose %2 %3.png").arg(folder, what).arg(letters));
             dialog.reject();
-            ASSERT_TRUE(eventually([&] { return window->findChildren<QFileDialog*>().empty(); }));
+            ASSERT_TRUE(eventually([&] { return window->findChildren<QDialog*>().empty(); }));
         }
 }
 

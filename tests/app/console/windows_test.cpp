@@ -20,6 +20,7 @@
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "app/runtime/steady_now.h"
+#include "app/sessions/session_browser.h"
 #include "app/shell/about.h"
 #include "app/shell/open_file.h"
 #include "app/shell/text_sheet.h"
@@ -262,7 +263,7 @@ TEST_F(Windows, ofAConsoleLetStopThrough)
     const auto window = scripted();
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
     const auto names = stopsInEveryWindow(*window, [this] { return std::exchange(stops, 0) > 0; });
-    for (const char* name : {"Keys", "About Terratact", "Open", "Model", "Robot"})
+    for (const char* name : {"Keys", "About Terratact", "Recordings", "Model", "Robot"})
         EXPECT_EQ(names.count(name), 1U) << name;
     EXPECT_GE(names.size(), 7U) << "with those of the pages Signals and Training";
 }
@@ -273,7 +274,7 @@ TEST_F(Windows, ofAReviewLetStopThroughToTheConsoleThatOpenedIt)
     const auto window = review();
     ASSERT_TRUE(window);
     const auto names = stopsInEveryWindow(*window, [&] { return opening.wasStopped(); });
-    for (const char* name : {"Keys", "About Terratact", "Open", "Export — review.tts"})
+    for (const char* name : {"Keys", "About Terratact", "Recordings", "Export — review.tts"})
         EXPECT_EQ(names.count(name), 1U) << name;
 }
 
@@ -344,18 +345,18 @@ TEST_F(Windows, ofAListeningConsoleStopTheOpenersRobot)
     EXPECT_TRUE(eventually([&] { return isKept("has received it"); }));
 }
 
-TEST_F(Windows, fileDialogStartsInTheSessionFolder)
+TEST_F(Windows, browserAndFileDialogStartInTheSessionFolder)
 {
     const auto window = scripted();
     const std::string sessions = directory.file("sessions");
     ASSERT_TRUE(eventually([&] { return std::filesystem::is_directory(sessions); }));
-    const auto ask = [&] {
-        QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
-        auto* dialog = window->findChild<QFileDialog*>();
-        EXPECT_TRUE(dialog && QTest::qWaitForWindowExposed(dialog));
-        return dialog;
-    };
-    QFileDialog* const dialog = ask();
+    QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+    auto* const browser = window->findChild<SessionBrowser*>();
+    ASSERT_TRUE(browser && QTest::qWaitForWindowExposed(browser));
+    EXPECT_EQ(browser->folder().toStdString(), sessions);
+    QTest::mouseClick(browser->otherButton(), Qt::LeftButton);
+    auto* const dialog = window->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog && QTest::qWaitForWindowExposed(dialog));
     EXPECT_EQ(dialog->directory().absolutePath().toStdString(), sessions);
     dialog->reject();  // the chosen file would start this program again
 }

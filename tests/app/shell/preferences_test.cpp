@@ -56,6 +56,7 @@ Preferences unlikeTheDefaults()
     p.pad.mapping.assign(PadAction::Explore, PadButton::Y);
     p.pad.deadZone = 0.25;
     p.pad.speedLimit = 0.1 + 0.2;
+    p.sessionFolder = "/data/drives";
     p.window = QByteArray("\0\xff\n=;geometry", 13);
     return p;
 }
