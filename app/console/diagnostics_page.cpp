@@ -147,7 +147,7 @@ DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
 {
     const auto halfAndWorst = [](const NewestValues& values) {
         if (values.count() == 0) return format::kNothing;
-        return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
+        return DiagnosticsPage::tr("median %1 · 99 % below %2 · longest %3")
             .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
                  milliseconds(values.most()));
     };

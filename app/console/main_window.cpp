@@ -4,7 +4,6 @@
 #include <QCloseEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
 #include <chrono>
@@ -25,7 +24,6 @@
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
 #include "app/pages/plots_page.h"
-#include "app/sessions/open_recording.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
 #include "app/shell/view_menu.h"
@@ -73,7 +71,7 @@ MainWindow::MainWindow(Options options)
         LiveViewState::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
                              recorder_.get(), preferences_.get()},
         robot_);
-    setWindowTitle(tr("Terratact — %1").arg(format::sourceName(source_->name())));
+    setWindowTitle(tr("%1 — Terratact").arg(format::sourceName(source_->name())));
     build(options);
     connectAll();
     addGamepad(std::move(options.gamepad));
@@ -166,6 +164,7 @@ void MainWindow::addPages(const Options& options)
     addTraining(options);
     settings_ = new SettingsPage(*preferences_, this);
     connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::applyRobot);
+    connect(settings_, &SettingsPage::filesWanted, this, &MainWindow::showSettingsFiles);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     gamepadPage_ = new GamepadPage(*preferences_, this);
     const QString source = format::sourceName(source_->name());
@@ -353,17 +352,6 @@ void MainWindow::releaseStop()
     exploration_->releaseStop();
 }
 
-void MainWindow::open()
-{
-    openRecording(*this, recordingsOf(recorder_.get(), *preferences_), sharedStop_->line(),
-                  notOpened());
-}
-
-std::function<void(const QString&)> MainWindow::notOpened()
-{
-    return [this](const QString& why) { log(verbatim(why), EventSeverity::Bad); };
-}
-
 void MainWindow::logState(const Message& text, EventSeverity severity)
 {
     events()->add(text, severity, QTime::currentTime(), EventPlace::ExplorationPanel);
@@ -404,9 +392,7 @@ void MainWindow::defineKeys()
     numbers_->addKeys(keys);
     plots_->page()->addKeys(keys);
     addHelpKeys();
-    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
-              tr("open a session, a log or scenes in another window"),
-              [this] { open(); }});
+    addWindowKeys(keys);
 
     if (recorder_)
         keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});

@@ -49,6 +49,7 @@ class SessionEventLogger;
 class ArmingControl;
 class GamepadControl;
 class GamepadPage;
+class SettingsFilesWindow;
 class SettingsPage;
 class SignalsPage;
 class NumbersPage;
@@ -100,6 +101,7 @@ public:
     EstimateStrip* strip() const { return terrainPage_->strip(); }
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
+    SettingsFilesWindow* settingsFiles() const { return settingsFiles_; }
     TrainingPage* training() const { return training_; }
     GamepadPage* gamepadPage() const { return gamepadPage_; }
     VerdictStrip* verdict() const { return terrainPage_->verdict(); }
@@ -155,7 +157,10 @@ private:
     void addGamepad(std::unique_ptr<Gamepad> gamepad);
     /// frozen: the window has just been frozen, so the gamepad must be released first.
     void pollGamepad(double now, bool frozen);
+    void addWindowKeys(KeyTable& keys);
     void open();
+    void showSettingsFiles();
+    std::optional<Message> whyNotChangingAll() const;
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
     void applyPreferences(const Preferences& before);
@@ -211,6 +216,7 @@ private:
     QLabel* panelLost_ = nullptr;  ///< a banner
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
+    SettingsFilesWindow* settingsFiles_ = nullptr;  ///< null until it is first asked for
     GamepadPage* gamepadPage_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;

@@ -84,6 +84,10 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
     buildLook(lookForm);
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
     setTip(*defaults_, defaultsTip());
+    files_ = new QPushButton(tr("Profiles, export and import …"), look);
+    setTip(*files_, tr("All settings as named profiles or as one file (Ctrl+,)"));
+    connect(files_, &QPushButton::clicked, this, &SettingsPage::filesWanted);
+    look->body()->addWidget(files_);
     look->body()->addWidget(defaults_);
     auto* asks = new SecondPress(*defaults_, tr("Press again to reset all settings"));
     connect(asks, &SecondPress::confirmed, this, [this] {

@@ -46,10 +46,12 @@ public:
     QSpinBox* secondsBox() const { return seconds_; }
     QComboBox* languageBox() const { return language_; }
     QPushButton* defaultsButton() const { return defaults_; }
+    QPushButton* filesButton() const { return files_; }
     QString modelCard() const;
 
 signals:
     void robotChosen(const QString& path);  ///< a robot file that needs a rebuilt window
+    void filesWanted();                     ///< profiles, export and import
 
 private:
     void buildEstimate(QFormLayout* form);
@@ -96,6 +98,7 @@ private:
     QPushButton* shippedModel_ = nullptr;
     QPushButton* shippedRobot_ = nullptr;
     QPushButton* defaults_ = nullptr;
+    QPushButton* files_ = nullptr;
 };
 
 }  // namespace terratact

@@ -42,7 +42,7 @@ QString cellText(const TrainingProgress::Cell& cell, bool runs)
     case TrainingProgress::State::Done: break;
     }
     return cell.logLikelihood
-             ? TrainingPage::tr("done %1").arg(format::number(*cell.logLikelihood, 0))
+             ? TrainingPage::tr("done (%1)").arg(format::number(*cell.logLikelihood, 0))
              : TrainingPage::tr("done");
 }
 
@@ -328,7 +328,7 @@ void TrainingPage::showProgress()
         value = kPerMille;
         text = phase_ == Phase::Trained ? tr("trained") : tr("compared");
     } else {
-        text = tr("nothing runs");
+        text = tr("Idle");
     }
     if (bar_->value() != value) bar_->setValue(value);
     if (bar_->format() != text) bar_->setFormat(text);

@@ -18,6 +18,7 @@ public:
     PreferenceStore() : PreferenceStore({}, {}) {}  ///< defaults; reads and saves nothing
 
     const Preferences& current() const { return inForce_; }
+    bool isSaved() const { return !loaded_.path.isEmpty(); }  ///< false in safe mode and in tests
     /// Returns the errors of loading.
     const std::vector<Message>& troubles() const { return loaded_.troubles; }
 

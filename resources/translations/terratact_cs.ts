@@ -784,6 +784,137 @@
     </message>
 </context>
 <context>
+    <name>PreferenceText</name>
+    <message>
+        <source>theme</source>
+        <translation>vzhled</translation>
+    </message>
+    <message>
+        <source>size of text</source>
+        <translation>velikost písma</translation>
+    </message>
+    <message>
+        <source>language</source>
+        <translation>jazyk</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>rozvržení</translation>
+    </message>
+    <message>
+        <source>alarms may be heard</source>
+        <translation>alarmy smějí znít</translation>
+    </message>
+    <message>
+        <source>sound of contacts</source>
+        <translation>zvuk kontaktů</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>mez překážky</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>metoda</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>kvalita</translation>
+    </message>
+    <message>
+        <source>time limit of an estimate</source>
+        <translation>časová mez odhadu</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>síla kontaktu</translation>
+    </message>
+    <message>
+        <source>the arm is offered</source>
+        <translation>rameno se nabízí</translation>
+    </message>
+    <message>
+        <source>the arm is offered above a sd of</source>
+        <translation>rameno se nabízí od směr. odchylky</translation>
+    </message>
+    <message>
+        <source>roll limit of the verdict</source>
+        <translation>mez náklonu pro verdikt</translation>
+    </message>
+    <message>
+        <source>rate of hazards</source>
+        <translation>četnost nebezpečí</translation>
+    </message>
+    <message>
+        <source>flipper difference limit of the verdict</source>
+        <translation>mez rozdílu ploutví pro verdikt</translation>
+    </message>
+    <message>
+        <source>tilt limit, amber</source>
+        <translation>mez náklonu, žlutá</translation>
+    </message>
+    <message>
+        <source>tilt limit, red</source>
+        <translation>mez náklonu, červená</translation>
+    </message>
+    <message>
+        <source>everything is recorded</source>
+        <translation>vše se zaznamenává</translation>
+    </message>
+    <message>
+        <source>delete a session after</source>
+        <translation>smazat záznam po</translation>
+    </message>
+    <message>
+        <source>delete the oldest beyond</source>
+        <translation>mazat nejstarší nad</translation>
+    </message>
+    <message>
+        <source>sessions may be deleted</source>
+        <translation>záznamy se smějí mazat</translation>
+    </message>
+    <message>
+        <source>model file</source>
+        <translation>soubor modelu</translation>
+    </message>
+    <message>
+        <source>robot file, with its torques</source>
+        <translation>soubor robotu s jeho momenty</translation>
+    </message>
+    <message>
+        <source>DBC files</source>
+        <translation>soubory DBC</translation>
+    </message>
+    <message>
+        <source>controls of the gamepad</source>
+        <translation>ovladače gamepadu</translation>
+    </message>
+    <message>
+        <source>dead zone of the gamepad</source>
+        <translation>mrtvá zóna gamepadu</translation>
+    </message>
+    <message>
+        <source>speed limit of the gamepad</source>
+        <translation>mez rychlosti gamepadu</translation>
+    </message>
+    <message>
+        <source>saved sets of plots</source>
+        <translation>uložené sady grafů</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ano</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ne</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nic</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -832,6 +963,46 @@
     <message>
         <source>Preferences: %1; nothing is saved</source>
         <translation>Nastavení: %1; nic se neukládá</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>číslo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>jedno z %1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true nebo false</translation>
+    </message>
+    <message>
+        <source>en, cs, de or nothing</source>
+        <translation>en, cs, de nebo nic</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>cesta k souboru</translation>
+    </message>
+    <message>
+        <source>paths of at most %1 files</source>
+        <translation>cesty k nejvýše %1 souborům</translation>
+    </message>
+    <message>
+        <source>controls of a gamepad as this program writes them</source>
+        <translation>ovladače gamepadu, jak je zapisuje tento program</translation>
+    </message>
+    <message>
+        <source>at most %1 lines</source>
+        <translation>nejvýše %1 řádků</translation>
+    </message>
+    <message>
+        <source>a window geometry in base64</source>
+        <translation>rozměry okna v base64</translation>
+    </message>
+    <message>
+        <source>a setting of this version</source>
+        <translation>nastavení této verze</translation>
     </message>
 </context>
 <context>
@@ -1250,6 +1421,69 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>stopped</source>
         <translation>zastaven</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>řádek %1: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is no valid %2; expected: %3</source>
+        <translation>„%1“ není platné %2; očekává se: %3</translation>
+    </message>
+    <message>
+        <source>a number in %1</source>
+        <translation>číslo v %1</translation>
+    </message>
+    <message>
+        <source>“%1” is no setting; expected: key = value</source>
+        <translation>„%1“ není nastavení; očekává se: klíč = hodnota</translation>
+    </message>
+    <message>
+        <source>this is no file of settings; expected first: %1 = %2</source>
+        <translation>to není soubor nastavení; nejdřív se očekává: %1 = %2</translation>
+    </message>
+    <message>
+        <source>version %1 is of a newer Terratact; expected: version %2. Update this program, or export the settings from its version</source>
+        <translation>verze %1 je z novějšího programu Terratact; očekává se: verze %2. Aktualizujte tento program, nebo vyexportujte nastavení z jeho verze</translation>
+    </message>
+    <message>
+        <source>“%1” is no setting; expected: a setting of this version</source>
+        <translation>„%1“ není nastavení; očekává se: nastavení této verze</translation>
+    </message>
+    <message>
+        <source>%1 appears twice; expected: once</source>
+        <translation>%1 je tu dvakrát; očekává se: jednou</translation>
+    </message>
+    <message>
+        <source>a file of this computer</source>
+        <translation>soubor tohoto počítače</translation>
+    </message>
+    <message>
+        <source>this is no text; expected: UTF-8</source>
+        <translation>to není text; očekává se: UTF-8</translation>
+    </message>
+    <message>
+        <source>is no file</source>
+        <translation>není soubor</translation>
+    </message>
+    <message>
+        <source>the file exists and was not replaced; choose another name</source>
+        <translation>soubor existuje a nebyl nahrazen; zvolte jiné jméno</translation>
+    </message>
+    <message>
+        <source>a profile needs a name</source>
+        <translation>profil potřebuje jméno</translation>
+    </message>
+    <message>
+        <source>a profile&apos;s name has at most %1 letters</source>
+        <translation>jméno profilu má nejvýše %1 písmen</translation>
+    </message>
+    <message>
+        <source>a profile&apos;s name is one line of plain text</source>
+        <translation>jméno profilu je jeden řádek prostého textu</translation>
     </message>
 </context>
 <context>
@@ -3392,10 +3626,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho semínko není číslo: %1</translation>
     </message>
     <message>
-        <source>its number of inducing rows is not one: %1</source>
-        <translation>jeho počet indukujících řádků není číslo: %1</translation>
-    </message>
-    <message>
         <source>its list of bins is wrong: %1</source>
         <translation>jeho seznam bodů je chybný: %1</translation>
     </message>
@@ -3950,10 +4180,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>its number of repeated rows is out of range</source>
         <translation>jeho počet opakovaných řádků je mimo rozsah</translation>
-    </message>
-    <message>
-        <source>its number of repeated rows is not one: %1</source>
-        <translation>jeho počet opakovaných řádků není číslo větší než 0: %1</translation>
     </message>
     <message>
         <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
@@ -4638,6 +4864,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the folder cannot be read: %1</source>
         <translation>složku nelze číst: %1</translation>
+    </message>
+    <message>
+        <source>its inducing row count is not a number: %1</source>
+        <translation>počet jejích opěrných řádků není číslo: %1</translation>
+    </message>
+    <message>
+        <source>its repeated row count is not a number: %1</source>
+        <translation>počet jejích opakovaných řádků není číslo: %1</translation>
     </message>
 </context>
 <context>
@@ -5461,10 +5695,6 @@ F1</translation>
         <translation>skupiny</translation>
     </message>
     <message>
-        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
-        <translation>polovina ≤ %1 · 99 % ≤ %2 · nejhůř %3</translation>
-    </message>
-    <message>
         <source>Last minute</source>
         <translation>Poslední minuta</translation>
     </message>
@@ -5615,6 +5845,10 @@ F1</translation>
     <message>
         <source>%1 of %2 contradicted the readings</source>
         <translation>%1 z %2 odporovalo údajům</translation>
+    </message>
+    <message>
+        <source>median %1 · 99 % below %2 · longest %3</source>
+        <translation>medián %1 · 99 % pod %2 · nejdelší %3</translation>
     </message>
 </context>
 <context>
@@ -6322,10 +6556,6 @@ F1</translation>
 <context>
     <name>terratact::MainWindow</name>
     <message>
-        <source>Terratact — %1</source>
-        <translation>Terratact — %1</translation>
-    </message>
-    <message>
         <source>model loading …</source>
         <translation>model se načítá …</translation>
     </message>
@@ -6596,6 +6826,18 @@ F1</translation>
     <message>
         <source>picture written: %1</source>
         <translation>obrázek zapsán: %1</translation>
+    </message>
+    <message>
+        <source>%1 — Terratact</source>
+        <translation>%1 — Terratact</translation>
+    </message>
+    <message>
+        <source>profiles, export and import of settings</source>
+        <translation>profily, export a import nastavení</translation>
+    </message>
+    <message>
+        <source>The robot is moving: wait until it stands</source>
+        <translation>Robot se pohybuje: počkejte, až zastaví</translation>
     </message>
 </context>
 <context>
@@ -7243,10 +7485,6 @@ F1</translation>
         <translation>Ostatní body, nejlepší první</translation>
     </message>
     <message>
-        <source>nothing is asked</source>
-        <translation>nic se nežádá</translation>
-    </message>
-    <message>
         <source>Cannot be approved: %1</source>
         <translation>Nelze schválit: %1</translation>
     </message>
@@ -7272,7 +7510,7 @@ F1</translation>
     </message>
     <message>
         <source>hold to approve probe %1 (Space)</source>
-        <translation>držet: sonda %1 (Space)</translation>
+        <translation>držet: sonda %1 (mezerník)</translation>
     </message>
     <message>
         <source>The probe of %1 cannot be approved</source>
@@ -7285,6 +7523,10 @@ F1</translation>
     <message>
         <source>The arm is probing %1</source>
         <translation>Rameno sonduje %1</translation>
+    </message>
+    <message>
+        <source>no probe is proposed; what one would tell:</source>
+        <translation>žádná sonda se nenavrhuje; co by zjistila:</translation>
     </message>
 </context>
 <context>
@@ -7867,7 +8109,7 @@ F1</translation>
     </message>
     <message>
         <source>Play, pause (Space)</source>
-        <translation>Přehrát, pozastavit (Space)</translation>
+        <translation>Přehrát, pozastavit (mezerník)</translation>
     </message>
     <message>
         <source>Next frame</source>
@@ -8653,6 +8895,197 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SettingsFilesWindow</name>
+    <message>
+        <source>Profiles, export and import of settings</source>
+        <translation>Profily, export a import nastavení</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Výsledek</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profily</translation>
+    </message>
+    <message>
+        <source>Switch to it …</source>
+        <translation>Přepnout na něj …</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Smazat jej</translation>
+    </message>
+    <message>
+        <source>Name of a profile</source>
+        <translation>Jméno profilu</translation>
+    </message>
+    <message>
+        <source>name, for example: robot A/night</source>
+        <translation>jméno, například: robot A/noc</translation>
+    </message>
+    <message>
+        <source>The present settings are saved under this name</source>
+        <translation>Pod tímto jménem se uloží nynější nastavení</translation>
+    </message>
+    <message>
+        <source>Save the present settings</source>
+        <translation>Uložit nynější nastavení</translation>
+    </message>
+    <message>
+        <source>Replace the profile</source>
+        <translation>Nahradit profil</translation>
+    </message>
+    <message>
+        <source>Press again to replace it</source>
+        <translation>Stiskněte znovu: nahradí se</translation>
+    </message>
+    <message>
+        <source>Press again to delete it</source>
+        <translation>Stiskněte znovu: smaže se</translation>
+    </message>
+    <message>
+        <source>Export to a file …</source>
+        <translation>Exportovat do souboru …</translation>
+    </message>
+    <message>
+        <source>Writes all settings but the files of this computer; in SI units</source>
+        <translation>Zapíše všechna nastavení kromě souborů tohoto počítače; v jednotkách SI</translation>
+    </message>
+    <message>
+        <source>Import a file …</source>
+        <translation>Importovat soubor …</translation>
+    </message>
+    <message>
+        <source>Shows what the file would change before it is applied</source>
+        <translation>Nejdřív ukáže, co by soubor změnil</translation>
+    </message>
+    <message>
+        <source>Settings (*.settings)</source>
+        <translation>Nastavení (*.settings)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Export nastavení</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Import nastavení</translation>
+    </message>
+    <message>
+        <source>What will change</source>
+        <translation>Co se změní</translation>
+    </message>
+    <message>
+        <source>Safety-relevant changes</source>
+        <translation>Změny důležité pro bezpečnost</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nyní</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>pak</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Použít</translation>
+    </message>
+    <message>
+        <source>Leave all as it is</source>
+        <translation>Nechat vše, jak je</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>Nic se nezměnilo</translation>
+    </message>
+    <message>
+        <source>There is no place for profiles: settings are not saved</source>
+        <translation>Pro profily není místo: nastavení se neukládá</translation>
+    </message>
+    <message>
+        <source>Choose a profile first</source>
+        <translation>Nejdřív zvolte profil</translation>
+    </message>
+    <message>
+        <source>Shows what it would change first</source>
+        <translation>Nejdřív ukáže, co by změnil</translation>
+    </message>
+    <message>
+        <source>Asks for a second press</source>
+        <translation>Žádá druhé stisknutí</translation>
+    </message>
+    <message>
+        <source>Saves all settings as a new profile</source>
+        <translation>Uloží všechna nastavení jako nový profil</translation>
+    </message>
+    <message>
+        <source>A profile of this name exists; asks for a second press</source>
+        <translation>Profil tohoto jména existuje; žádá druhé stisknutí</translation>
+    </message>
+    <message>
+        <source>Applies the changes listed here</source>
+        <translation>Použije změny uvedené zde</translation>
+    </message>
+    <message>
+        <source>Saved as profile “%1”</source>
+        <translation>Uloženo jako profil „%1“</translation>
+    </message>
+    <message>
+        <source>Deleted: profile “%1”</source>
+        <translation>Smazáno: profil „%1“</translation>
+    </message>
+    <message>
+        <source>The profile “%1” could not be deleted</source>
+        <translation>Profil „%1“ se nepodařilo smazat</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapsáno: %1</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing: these settings are in force</source>
+        <translation>„%1“ nic nemění: tato nastavení už platí</translation>
+    </message>
+    <message>
+        <source>safety: %1</source>
+        <translation>bezpečnost: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>“%1” changes:</source>
+        <translation>„%1“ změní:</translation>
+    </message>
+    <message>
+        <source>Safety-relevant: %1</source>
+        <translation>Důležité pro bezpečnost: %1</translation>
+    </message>
+    <message>
+        <source>Apply, safety-relevant changes too</source>
+        <translation>Použít, i změny důležité pro bezpečnost</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Nepoužito: %1</translation>
+    </message>
+    <message>
+        <source>In force: “%1”</source>
+        <translation>Platí: „%1“</translation>
+    </message>
+    <message>
+        <source>settings of “%1” came into force</source>
+        <translation>nastavení „%1“ začalo platit</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SettingsPage</name>
     <message>
         <source>Estimate</source>
@@ -8981,6 +9414,14 @@ F1</translation>
     <message>
         <source>off</source>
         <translation>vypnuto</translation>
+    </message>
+    <message>
+        <source>Profiles, export and import …</source>
+        <translation>Profily, export a import …</translation>
+    </message>
+    <message>
+        <source>All settings as named profiles or as one file (Ctrl+,)</source>
+        <translation>Všechna nastavení jako pojmenované profily nebo jako jeden soubor (Ctrl+,)</translation>
     </message>
 </context>
 <context>
@@ -9671,10 +10112,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>málo</translation>
     </message>
     <message>
-        <source>done %1</source>
-        <translation>hotovo %1</translation>
-    </message>
-    <message>
         <source>done</source>
         <translation>hotovo</translation>
     </message>
@@ -9999,10 +10436,6 @@ vpředu</translation>
         <translation>porovnáno</translation>
     </message>
     <message>
-        <source>nothing runs</source>
-        <translation>nic neběží</translation>
-    </message>
-    <message>
         <source>Compared on %1 scenes</source>
         <translation>Porovnáno, scén: %1</translation>
     </message>
@@ -10029,6 +10462,14 @@ vpředu</translation>
     <message>
         <source>Adopt (hold)</source>
         <translation>Převzít (podržet)</translation>
+    </message>
+    <message>
+        <source>done (%1)</source>
+        <translation>hotovo (%1)</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Nečinné</translation>
     </message>
 </context>
 <context>

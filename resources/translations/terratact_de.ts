@@ -784,6 +784,137 @@
     </message>
 </context>
 <context>
+    <name>PreferenceText</name>
+    <message>
+        <source>theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>size of text</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>alarms may be heard</source>
+        <translation>Alarme dürfen ertönen</translation>
+    </message>
+    <message>
+        <source>sound of contacts</source>
+        <translation>Ton der Kontakte</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>Hindernisgrenze</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>time limit of an estimate</source>
+        <translation>Zeitgrenze einer Schätzung</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>the arm is offered</source>
+        <translation>Arm wird angeboten</translation>
+    </message>
+    <message>
+        <source>the arm is offered above a sd of</source>
+        <translation>Arm wird angeboten ab einer Std.-Abw. von</translation>
+    </message>
+    <message>
+        <source>roll limit of the verdict</source>
+        <translation>Rollgrenze des Urteils</translation>
+    </message>
+    <message>
+        <source>rate of hazards</source>
+        <translation>Häufigkeit von Gefahren</translation>
+    </message>
+    <message>
+        <source>flipper difference limit of the verdict</source>
+        <translation>Grenze der Flipperdifferenz des Urteils</translation>
+    </message>
+    <message>
+        <source>tilt limit, amber</source>
+        <translation>Neigungsgrenze, gelb</translation>
+    </message>
+    <message>
+        <source>tilt limit, red</source>
+        <translation>Neigungsgrenze, rot</translation>
+    </message>
+    <message>
+        <source>everything is recorded</source>
+        <translation>alles wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>delete a session after</source>
+        <translation>Sitzung löschen nach</translation>
+    </message>
+    <message>
+        <source>delete the oldest beyond</source>
+        <translation>älteste löschen über</translation>
+    </message>
+    <message>
+        <source>sessions may be deleted</source>
+        <translation>Sitzungen dürfen gelöscht werden</translation>
+    </message>
+    <message>
+        <source>model file</source>
+        <translation>Modelldatei</translation>
+    </message>
+    <message>
+        <source>robot file, with its torques</source>
+        <translation>Roboterdatei mit ihren Drehmomenten</translation>
+    </message>
+    <message>
+        <source>DBC files</source>
+        <translation>DBC-Dateien</translation>
+    </message>
+    <message>
+        <source>controls of the gamepad</source>
+        <translation>Bedienelemente des Gamepads</translation>
+    </message>
+    <message>
+        <source>dead zone of the gamepad</source>
+        <translation>Totzone des Gamepads</translation>
+    </message>
+    <message>
+        <source>speed limit of the gamepad</source>
+        <translation>Geschwindigkeitsgrenze des Gamepads</translation>
+    </message>
+    <message>
+        <source>saved sets of plots</source>
+        <translation>gespeicherte Diagrammsätze</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
     <name>Preferences</name>
     <message>
         <source>Preferences: %1; the shipped robot is used</source>
@@ -832,6 +963,46 @@
     <message>
         <source>Preferences: %1; nothing is saved</source>
         <translation>Einstellungen: %1; nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>en, cs, de or nothing</source>
+        <translation>en, cs, de oder nichts</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>der Pfad einer Datei</translation>
+    </message>
+    <message>
+        <source>paths of at most %1 files</source>
+        <translation>Pfade von höchstens %1 Dateien</translation>
+    </message>
+    <message>
+        <source>controls of a gamepad as this program writes them</source>
+        <translation>Bedienelemente eines Gamepads, wie dieses Programm sie schreibt</translation>
+    </message>
+    <message>
+        <source>at most %1 lines</source>
+        <translation>höchstens %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>a window geometry in base64</source>
+        <translation>eine Fenstergeometrie in Base64</translation>
+    </message>
+    <message>
+        <source>a setting of this version</source>
+        <translation>eine Einstellung dieser Version</translation>
     </message>
 </context>
 <context>
@@ -1250,6 +1421,69 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsFile</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is no valid %2; expected: %3</source>
+        <translation>„%1“ ist kein gültiges %2; erwartet: %3</translation>
+    </message>
+    <message>
+        <source>a number in %1</source>
+        <translation>eine Zahl in %1</translation>
+    </message>
+    <message>
+        <source>“%1” is no setting; expected: key = value</source>
+        <translation>„%1“ ist keine Einstellung; erwartet: Schlüssel = Wert</translation>
+    </message>
+    <message>
+        <source>this is no file of settings; expected first: %1 = %2</source>
+        <translation>das ist keine Datei mit Einstellungen; erwartet zuerst: %1 = %2</translation>
+    </message>
+    <message>
+        <source>version %1 is of a newer Terratact; expected: version %2. Update this program, or export the settings from its version</source>
+        <translation>Version %1 ist von einem neueren Terratact; erwartet: Version %2. Dieses Programm aktualisieren, oder die Einstellungen aus seiner Version exportieren</translation>
+    </message>
+    <message>
+        <source>“%1” is no setting; expected: a setting of this version</source>
+        <translation>„%1“ ist keine Einstellung; erwartet: eine Einstellung dieser Version</translation>
+    </message>
+    <message>
+        <source>%1 appears twice; expected: once</source>
+        <translation>%1 kommt zweimal vor; erwartet: einmal</translation>
+    </message>
+    <message>
+        <source>a file of this computer</source>
+        <translation>eine Datei dieses Rechners</translation>
+    </message>
+    <message>
+        <source>this is no text; expected: UTF-8</source>
+        <translation>das ist kein Text; erwartet: UTF-8</translation>
+    </message>
+    <message>
+        <source>is no file</source>
+        <translation>ist keine Datei</translation>
+    </message>
+    <message>
+        <source>the file exists and was not replaced; choose another name</source>
+        <translation>die Datei gibt es und sie wurde nicht ersetzt; anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>a profile needs a name</source>
+        <translation>ein Profil braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>a profile&apos;s name has at most %1 letters</source>
+        <translation>ein Profilname hat höchstens %1 Buchstaben</translation>
+    </message>
+    <message>
+        <source>a profile&apos;s name is one line of plain text</source>
+        <translation>ein Profilname ist eine Zeile einfacher Text</translation>
     </message>
 </context>
 <context>
@@ -3392,10 +3626,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>sein Startwert ist keine Zahl: %1</translation>
     </message>
     <message>
-        <source>its number of inducing rows is not one: %1</source>
-        <translation>seine Zahl induzierender Zeilen ist keine Zahl: %1</translation>
-    </message>
-    <message>
         <source>its list of bins is wrong: %1</source>
         <translation>seine Liste der Felder ist falsch: %1</translation>
     </message>
@@ -3950,10 +4180,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>its number of repeated rows is out of range</source>
         <translation>seine Zahl wiederholter Zeilen liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>its number of repeated rows is not one: %1</source>
-        <translation>seine Zahl wiederholter Zeilen ist keine Zahl über 0: %1</translation>
     </message>
     <message>
         <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
@@ -4638,6 +4864,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the folder cannot be read: %1</source>
         <translation>der Ordner kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>its inducing row count is not a number: %1</source>
+        <translation>die Zahl seiner Stützzeilen ist keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>its repeated row count is not a number: %1</source>
+        <translation>die Zahl seiner wiederholten Zeilen ist keine Zahl: %1</translation>
     </message>
 </context>
 <context>
@@ -5461,10 +5695,6 @@ F1</translation>
         <translation>Gruppen</translation>
     </message>
     <message>
-        <source>half ≤ %1 · 99 % ≤ %2 · worst %3</source>
-        <translation>Hälfte ≤ %1 · 99 % ≤ %2 · schlechtester %3</translation>
-    </message>
-    <message>
         <source>Last minute</source>
         <translation>Letzte Minute</translation>
     </message>
@@ -5615,6 +5845,10 @@ F1</translation>
     <message>
         <source>%1 of %2 contradicted the readings</source>
         <translation>%1 von %2 widersprachen den Messwerten</translation>
+    </message>
+    <message>
+        <source>median %1 · 99 % below %2 · longest %3</source>
+        <translation>Median %1 · 99 % unter %2 · längste %3</translation>
     </message>
 </context>
 <context>
@@ -6322,10 +6556,6 @@ F1</translation>
 <context>
     <name>terratact::MainWindow</name>
     <message>
-        <source>Terratact — %1</source>
-        <translation>Terratact — %1</translation>
-    </message>
-    <message>
         <source>model loading …</source>
         <translation>Modell lädt …</translation>
     </message>
@@ -6596,6 +6826,18 @@ F1</translation>
     <message>
         <source>picture written: %1</source>
         <translation>Bild geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 — Terratact</source>
+        <translation>%1 — Terratact</translation>
+    </message>
+    <message>
+        <source>profiles, export and import of settings</source>
+        <translation>Profile, Export und Import der Einstellungen</translation>
+    </message>
+    <message>
+        <source>The robot is moving: wait until it stands</source>
+        <translation>Der Roboter bewegt sich: warten, bis er steht</translation>
     </message>
 </context>
 <context>
@@ -7243,10 +7485,6 @@ F1</translation>
         <translation>Die anderen Felder, das beste zuerst</translation>
     </message>
     <message>
-        <source>nothing is asked</source>
-        <translation>nichts gefragt</translation>
-    </message>
-    <message>
         <source>Cannot be approved: %1</source>
         <translation>Kann nicht genehmigt werden: %1</translation>
     </message>
@@ -7272,7 +7510,7 @@ F1</translation>
     </message>
     <message>
         <source>hold to approve probe %1 (Space)</source>
-        <translation>halten: Sondierung %1 (Space)</translation>
+        <translation>halten: Sondierung %1 (Leertaste)</translation>
     </message>
     <message>
         <source>The probe of %1 cannot be approved</source>
@@ -7285,6 +7523,10 @@ F1</translation>
     <message>
         <source>The arm is probing %1</source>
         <translation>Der Arm sondiert: %1</translation>
+    </message>
+    <message>
+        <source>no probe is proposed; what one would tell:</source>
+        <translation>keine Sondierung vorgeschlagen; was eine ergäbe:</translation>
     </message>
 </context>
 <context>
@@ -7867,7 +8109,7 @@ F1</translation>
     </message>
     <message>
         <source>Play, pause (Space)</source>
-        <translation>Abspielen, anhalten (Space)</translation>
+        <translation>Abspielen, anhalten (Leertaste)</translation>
     </message>
     <message>
         <source>Next frame</source>
@@ -8653,6 +8895,197 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SettingsFilesWindow</name>
+    <message>
+        <source>Profiles, export and import of settings</source>
+        <translation>Profile, Export und Import der Einstellungen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>Switch to it …</source>
+        <translation>Dorthin wechseln …</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Name of a profile</source>
+        <translation>Name eines Profils</translation>
+    </message>
+    <message>
+        <source>name, for example: robot A/night</source>
+        <translation>Name, zum Beispiel: Roboter A/Nacht</translation>
+    </message>
+    <message>
+        <source>The present settings are saved under this name</source>
+        <translation>Unter diesem Namen werden die jetzigen Einstellungen gespeichert</translation>
+    </message>
+    <message>
+        <source>Save the present settings</source>
+        <translation>Jetzige Einstellungen speichern</translation>
+    </message>
+    <message>
+        <source>Replace the profile</source>
+        <translation>Profil ersetzen</translation>
+    </message>
+    <message>
+        <source>Press again to replace it</source>
+        <translation>Nochmals drücken: ersetzen</translation>
+    </message>
+    <message>
+        <source>Press again to delete it</source>
+        <translation>Nochmals drücken: löschen</translation>
+    </message>
+    <message>
+        <source>Export to a file …</source>
+        <translation>In eine Datei exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes all settings but the files of this computer; in SI units</source>
+        <translation>Schreibt alle Einstellungen außer den Dateien dieses Rechners; in SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>Import a file …</source>
+        <translation>Eine Datei importieren …</translation>
+    </message>
+    <message>
+        <source>Shows what the file would change before it is applied</source>
+        <translation>Zeigt zuerst, was die Datei ändern würde</translation>
+    </message>
+    <message>
+        <source>Settings (*.settings)</source>
+        <translation>Einstellungen (*.settings)</translation>
+    </message>
+    <message>
+        <source>Export settings</source>
+        <translation>Einstellungen exportieren</translation>
+    </message>
+    <message>
+        <source>Import settings</source>
+        <translation>Einstellungen importieren</translation>
+    </message>
+    <message>
+        <source>What will change</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>Safety-relevant changes</source>
+        <translation>Sicherheitsrelevante Änderungen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>dann</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Leave all as it is</source>
+        <translation>Alles lassen</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>Nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>There is no place for profiles: settings are not saved</source>
+        <translation>Für Profile gibt es keinen Ort: Einstellungen werden nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Choose a profile first</source>
+        <translation>Erst ein Profil wählen</translation>
+    </message>
+    <message>
+        <source>Shows what it would change first</source>
+        <translation>Zeigt zuerst, was es ändern würde</translation>
+    </message>
+    <message>
+        <source>Asks for a second press</source>
+        <translation>Verlangt ein zweites Drücken</translation>
+    </message>
+    <message>
+        <source>Saves all settings as a new profile</source>
+        <translation>Speichert alle Einstellungen als neues Profil</translation>
+    </message>
+    <message>
+        <source>A profile of this name exists; asks for a second press</source>
+        <translation>Ein Profil dieses Namens gibt es; verlangt ein zweites Drücken</translation>
+    </message>
+    <message>
+        <source>Applies the changes listed here</source>
+        <translation>Wendet die hier genannten Änderungen an</translation>
+    </message>
+    <message>
+        <source>Saved as profile “%1”</source>
+        <translation>Gespeichert als Profil „%1“</translation>
+    </message>
+    <message>
+        <source>Deleted: profile “%1”</source>
+        <translation>Gelöscht: Profil „%1“</translation>
+    </message>
+    <message>
+        <source>The profile “%1” could not be deleted</source>
+        <translation>Das Profil „%1“ konnte nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>“%1” changes nothing: these settings are in force</source>
+        <translation>„%1“ ändert nichts: diese Einstellungen gelten schon</translation>
+    </message>
+    <message>
+        <source>safety: %1</source>
+        <translation>Sicherheit: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>“%1” changes:</source>
+        <translation>„%1“ ändert:</translation>
+    </message>
+    <message>
+        <source>Safety-relevant: %1</source>
+        <translation>Sicherheitsrelevant: %1</translation>
+    </message>
+    <message>
+        <source>Apply, safety-relevant changes too</source>
+        <translation>Anwenden, auch Sicherheitsrelevantes</translation>
+    </message>
+    <message>
+        <source>Not applied: %1</source>
+        <translation>Nicht angewendet: %1</translation>
+    </message>
+    <message>
+        <source>In force: “%1”</source>
+        <translation>In Kraft: „%1“</translation>
+    </message>
+    <message>
+        <source>settings of “%1” came into force</source>
+        <translation>Einstellungen „%1“ sind in Kraft</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SettingsPage</name>
     <message>
         <source>Estimate</source>
@@ -8981,6 +9414,14 @@ F1</translation>
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>Profiles, export and import …</source>
+        <translation>Profile, Export und Import …</translation>
+    </message>
+    <message>
+        <source>All settings as named profiles or as one file (Ctrl+,)</source>
+        <translation>Alle Einstellungen als benannte Profile oder als eine Datei (Ctrl+,)</translation>
     </message>
 </context>
 <context>
@@ -9671,10 +10112,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>zu wenig</translation>
     </message>
     <message>
-        <source>done %1</source>
-        <translation>fertig %1</translation>
-    </message>
-    <message>
         <source>done</source>
         <translation>fertig</translation>
     </message>
@@ -9999,10 +10436,6 @@ voraus</translation>
         <translation>verglichen</translation>
     </message>
     <message>
-        <source>nothing runs</source>
-        <translation>nichts läuft</translation>
-    </message>
-    <message>
         <source>Compared on %1 scenes</source>
         <translation>Mit %1 Szenen verglichen</translation>
     </message>
@@ -10029,6 +10462,14 @@ voraus</translation>
     <message>
         <source>Adopt (hold)</source>
         <translation>Übernehmen (halten)</translation>
+    </message>
+    <message>
+        <source>done (%1)</source>
+        <translation>fertig (%1)</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Untätig</translation>
     </message>
 </context>
 <context>

@@ -26,7 +26,7 @@ class Console(unittest.TestCase):
         begin_display(self, "-fbdir", folder.name, size=size)
         self.screen = Screen(folder.name)
         self.console, session, hands = begin_console(
-            self, CONSOLE, "--size", size, "--language", "en", *arguments, name="Terratact — SIMULATED ROBOT",
+            self, CONSOLE, "--size", size, "--language", "en", *arguments, name="SIMULATED ROBOT — Terratact",
             preferences=["probe-above=0.01", "theme=day"])  # the low threshold always proposes a probe
         self.operator = Operator(hands, session)
         self.operator.until(lambda: any("model" in text for *_, text in self.operator.events("word")), what="a model")

@@ -10,9 +10,17 @@ import xml.etree.ElementTree as ElementTree
 FOLDER = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"]) / "resources" / "translations"
 # Placeholders of values, a progress bar's percentage, keys in texts, and commands to type.
 KEPT = re.compile(r"%[1-9]|%p|sudo \w+ \w+|\((?:A|M|N|R|S|W|Esc|Space|F12)\)|F1\b|ATEM|STOP")
+SPACE = {"cs": "(mezerník)", "de": "(Leertaste)"}  # as on the keyboards of the language
 STOPS = {"stop": "STOP", "release stop": "release STOP", "atem": "ATEM"}  # operator actions in session records
 # STOP is a software stop. No text may promise an emergency stop that cuts the power.
 EMERGENCY = re.compile(r"nouzov.*(zastav|stop)|\bnot-?(aus|halt|stopp)|\be-?stop|emergency stop", re.IGNORECASE)
+
+
+def keeps(source, text, language):
+    """Returns true if a translation keeps what must stay, and names the space bar in its language."""
+    named = source.replace("(Space)", SPACE[language])
+    return (sorted(KEPT.findall(named)) == sorted(KEPT.findall(text))
+            and named.count(SPACE[language]) == text.count(SPACE[language]))
 
 
 def trouble(file):
@@ -25,7 +33,7 @@ def trouble(file):
                 yield f"{where}: {translation.text!r} calls STOP an emergency stop"
             if translation.get("type") == "unfinished" or not translation.text:
                 yield f"{where} is not translated"
-            elif sorted(KEPT.findall(STOPS.get(source, source))) != sorted(KEPT.findall(translation.text)):
+            elif not keeps(STOPS.get(source, source), translation.text, file.stem[-2:]):
                 yield f"{where}: {translation.text!r} does not keep its places, keys, commands, ATEM or STOP"
 
 

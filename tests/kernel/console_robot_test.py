@@ -113,7 +113,7 @@ class Programs(unittest.TestCase):
         # The X server leaves no lock and no socket among the host's files.
         begin_display(self, ":7", "-nolock", "-nolisten", "unix", size="1280x800")
         console, session, hands = begin_console(
-            self, CONSOLE, "--can", "vcan0", "--transmit", "--size", "1200x680", name="Terratact — vcan0",
+            self, CONSOLE, "--can", "vcan0", "--transmit", "--size", "1200x680", name="vcan0 — Terratact",
             preferences=["probe-above=0.01"])  # the low threshold always proposes a probe
         operator = BusOperator(hands, session)
         self.addCleanup(operator.bus.socket.close)

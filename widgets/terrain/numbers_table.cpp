@@ -77,9 +77,17 @@ void NumbersTable::setRows(bool twoSides)
     }
 }
 
+/// Hides what only Markov chains have.
+void NumbersTable::hideChains(bool hidden)
+{
+    setColumnHidden(Rhat, hidden);
+    setColumnHidden(Ess, hidden);
+}
+
 void NumbersTable::setEstimate(const TerrainEstimate& plane, double stepLimit)
 {
     setRows(false);
+    hideChains(plane.ending == Ending::NotSampled);
     setSide(plane, stepLimit, 0, 1);
 }
 
@@ -87,6 +95,8 @@ void NumbersTable::setEstimate(const TwoTrackEstimate& estimate, double stepLimi
 {
     if (estimate.onePlane) return setEstimate(estimate.side[0], stepLimit);
     setRows(true);
+    hideChains(estimate.side[0].ending == Ending::NotSampled
+               && estimate.side[1].ending == Ending::NotSampled);
     for (const Side side : {Side::Left, Side::Right})
         setSide(estimate.side[indexOf(side)], stepLimit, static_cast<int>(indexOf(side)), 2);
 }

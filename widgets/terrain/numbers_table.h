@@ -45,6 +45,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void hideChains(bool hidden);
     void setRows(bool twoSides);
     void setSide(const TerrainEstimate& estimate, double stepLimit, int firstRow, int rowsPerBin);
     void set(int row, Column column, const QString& text);

@@ -57,7 +57,7 @@ int inducingFrom(const std::string& text)
 {
     const auto rows = writtenIntegerFrom<int>(text);
     require(rows && *rows > 0, [&] {
-        return Message(TR_NOOP("core", "its number of inducing rows is not one: %1"), shown(text));
+        return Message(TR_NOOP("core", "its inducing row count is not a number: %1"), shown(text));
     });
     return *rows;
 }
@@ -66,7 +66,7 @@ int repeatsFrom(const std::string& text)
 {
     const auto rows = writtenIntegerFrom<int>(text);
     require(rows && *rows > 0, [&] {
-        return Message(TR_NOOP("core", "its number of repeated rows is not one: %1"), shown(text));
+        return Message(TR_NOOP("core", "its repeated row count is not a number: %1"), shown(text));
     });
     return *rows;
 }

@@ -56,7 +56,7 @@ TEST_F(Screens, result)
         } kPages[]{{Qt::Key_F3, "page_numbers", QStringLiteral("0.6")},
                    {Qt::Key_F4, "page_alarms", StatusHeader::tr("no alarms")},
                    {Qt::Key_F5, "page_signals", QStringLiteral("Attitude")},
-                   {Qt::Key_F6, "page_training", TrainingPage::tr("nothing runs")},
+                   {Qt::Key_F6, "page_training", TrainingPage::tr("Idle")},
                    {Qt::Key_F7, "page_settings", SettingsPage::tr("Method")},
                    {Qt::Key_F8, "page_diagnostics", QStringLiteral("OpenBLAS")}};
         for (const auto& page : kPages) {

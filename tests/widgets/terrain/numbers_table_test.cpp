@@ -49,6 +49,24 @@ TEST(NumbersTable, showsStepsAndTwoHeights)
     EXPECT_EQ(cell(table, 3, NumbersTable::TwoHeaps), QStringLiteral("--"));
 }
 
+TEST(NumbersTable, hidesChainColumnsOfClosedForms)
+{
+    NumbersTable table;
+    TerrainEstimate estimate = stepEstimate();
+    estimate.ending = Ending::NotSampled;
+    table.setEstimate(estimate, 0.1);
+    EXPECT_TRUE(table.isColumnHidden(NumbersTable::Rhat));
+    EXPECT_TRUE(table.isColumnHidden(NumbersTable::Ess));
+    TwoTrackEstimate both = equalSides(estimate);
+    both.onePlane = false;
+    both.side[1].ending = Ending::Converged;
+    table.setEstimate(both, 0.1);
+    EXPECT_FALSE(table.isColumnHidden(NumbersTable::Rhat)) << "one side has chains";
+    estimate.ending = Ending::Converged;
+    table.setEstimate(estimate, 0.1);
+    EXPECT_FALSE(table.isColumnHidden(NumbersTable::Ess));
+}
+
 TEST(NumbersTable, isReadCellByCell)
 {
     NumbersTable table;
@@ -80,7 +98,7 @@ TEST(NumbersTable, isCopiedWithItsHeadings)
     QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
     const QStringList lines = QApplication::clipboard()->text().split('\n');
     ASSERT_GE(lines.size(), kBins + 1);
-    EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns - 1) << "no side";
+    EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns - 3) << "no side, no chains";
     for (const QString& line : lines) {
         EXPECT_FALSE(line.contains(QChar(0x2212))) << "other programs read no such minus";
         EXPECT_FALSE(line.contains("--")) << "what is not known is an empty field";

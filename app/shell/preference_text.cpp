@@ -1,0 +1,105 @@
+#include "app/shell/preference_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+#include "app/display/format.h"
+
+namespace terratact {
+namespace {
+
+struct Described {
+    const char* key;
+    const char* label;
+    bool isSafety = false;
+};
+
+constexpr bool kSafety = true;
+
+const std::array<Described, 29> kDescribed{
+    {{"theme", QT_TRANSLATE_NOOP("PreferenceText", "theme")},
+     {"font-scale", QT_TRANSLATE_NOOP("PreferenceText", "size of text")},
+     {"language", QT_TRANSLATE_NOOP("PreferenceText", "language")},
+     {"layout", QT_TRANSLATE_NOOP("PreferenceText", "layout")},
+     {"sound", QT_TRANSLATE_NOOP("PreferenceText", "alarms may be heard"), kSafety},
+     {"contact-sound", QT_TRANSLATE_NOOP("PreferenceText", "sound of contacts")},
+     {"obstacle-limit", QT_TRANSLATE_NOOP("PreferenceText", "step limit"), kSafety},
+     {"method", QT_TRANSLATE_NOOP("PreferenceText", "method"), kSafety},
+     {"quality", QT_TRANSLATE_NOOP("PreferenceText", "quality")},
+     {"estimate-seconds", QT_TRANSLATE_NOOP("PreferenceText", "time limit of an estimate")},
+     {"force-threshold", QT_TRANSLATE_NOOP("PreferenceText", "contact force"), kSafety},
+     {"probe-policy", QT_TRANSLATE_NOOP("PreferenceText", "the arm is offered")},
+     {"probe-above", QT_TRANSLATE_NOOP("PreferenceText", "the arm is offered above a sd of")},
+     {"roll-limit", QT_TRANSLATE_NOOP("PreferenceText", "roll limit of the verdict"), kSafety},
+     {"hazard-rate", QT_TRANSLATE_NOOP("PreferenceText", "rate of hazards"), kSafety},
+     {"asymmetry-limit",
+      QT_TRANSLATE_NOOP("PreferenceText", "flipper difference limit of the verdict"), kSafety},
+     {"tilt-amber", QT_TRANSLATE_NOOP("PreferenceText", "tilt limit, amber"), kSafety},
+     {"tilt-red", QT_TRANSLATE_NOOP("PreferenceText", "tilt limit, red"), kSafety},
+     {"record", QT_TRANSLATE_NOOP("PreferenceText", "everything is recorded"), kSafety},
+     {"keep-days", QT_TRANSLATE_NOOP("PreferenceText", "delete a session after"), kSafety},
+     {"keep-gigabytes", QT_TRANSLATE_NOOP("PreferenceText", "delete the oldest beyond"), kSafety},
+     {"may-delete", QT_TRANSLATE_NOOP("PreferenceText", "sessions may be deleted"), kSafety},
+     {"model", QT_TRANSLATE_NOOP("PreferenceText", "model file"), kSafety},
+     {"robot", QT_TRANSLATE_NOOP("PreferenceText", "robot file, with its torques"), kSafety},
+     {"dbc", QT_TRANSLATE_NOOP("PreferenceText", "DBC files")},
+     {"gamepad", QT_TRANSLATE_NOOP("PreferenceText", "controls of the gamepad"), kSafety},
+     {"gamepad-dead-zone", QT_TRANSLATE_NOOP("PreferenceText", "dead zone of the gamepad"),
+      kSafety},
+     {"gamepad-speed", QT_TRANSLATE_NOOP("PreferenceText", "speed limit of the gamepad"), kSafety},
+     {"plot-sets", QT_TRANSLATE_NOOP("PreferenceText", "saved sets of plots")}}};
+
+const Described* described(const QString& key)
+{
+    const auto* const found =
+        std::find_if(kDescribed.begin(), kDescribed.end(),
+                     [&key](const Described& entry) { return key == QLatin1String(entry.key); });
+    return found == kDescribed.end() ? nullptr : found;
+}
+
+QString shownText(const PreferenceValue& value)
+{
+    const QString unit = QLatin1String(value.unit);
+    if (unit == QLatin1String("rad"))
+        return format::number(value.text.toDouble() / kDegree, 1) + QStringLiteral("°");
+    if (!unit.isEmpty()) return value.text + QLatin1Char(' ') + unit;
+    if (value.text == QLatin1String("true"))
+        return QCoreApplication::translate("PreferenceText", "yes");
+    if (value.text == QLatin1String("false"))
+        return QCoreApplication::translate("PreferenceText", "no");
+    if (value.text.isEmpty()) return QCoreApplication::translate("PreferenceText", "none");
+    QString text = value.text;
+    return format::shownName(text.replace(QLatin1Char('\n'), QStringLiteral("; ")).toStdString());
+}
+
+}  // namespace
+
+QString preferenceLabel(const QString& key)
+{
+    const Described* const entry = described(key);
+    return entry ? QCoreApplication::translate("PreferenceText", entry->label) : QString();
+}
+
+bool isSafetyRelevant(const QString& key)
+{
+    const Described* const entry = described(key);
+    return entry && entry->isSafety;
+}
+
+std::vector<PreferenceChange> changesBetween(const Preferences& before, const Preferences& now)
+{
+    const auto old = valuesOf(before), wanted = valuesOf(now);
+    std::vector<PreferenceChange> changes;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const QString key = QLatin1String(old[i].key);
+        if (old[i].text == wanted[i].text || !described(key)) continue;
+        changes.push_back({key, preferenceLabel(key), shownText(old[i]), shownText(wanted[i]),
+                           isSafetyRelevant(key)});
+    }
+    std::stable_partition(changes.begin(), changes.end(),
+                          [](const PreferenceChange& change) { return change.isSafety; });
+    return changes;
+}
+
+}  // namespace terratact

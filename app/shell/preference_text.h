@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "app/shell/preference_values.h"
+
+namespace terratact {
+
+/// Returns what a preference is called in lists of changes; empty for an unknown key.
+QString preferenceLabel(const QString& key);
+
+/// Returns true if another value changes what the robot may do, when the operator is warned, or what is deleted: step
+/// and tilt limits, hazards, gamepad, robot file (with its torques), model, deletion of sessions.
+bool isSafetyRelevant(const QString& key);
+
+/// One changed preference in the operator's words.
+struct PreferenceChange {
+    QString key, label, before, now;
+    bool isSafety = false;
+};
+
+/// Returns every changed preference, the safety-relevant ones first. The window's place is left out.
+std::vector<PreferenceChange> changesBetween(const Preferences& before, const Preferences& now);
+
+}  // namespace terratact
