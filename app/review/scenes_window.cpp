@@ -10,6 +10,8 @@
 #include "app/display/translated.h"
 #include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
+#include "app/review/scenes_page.h"
+#include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
@@ -94,6 +96,13 @@ ScenesWindow::ScenesWindow(Options options)
     header()->setLink(tr("no link: a file"), Tone::Plain);
     header()->setRobot(tr("robot: --"), Tone::Plain);
     addPage(page_, tr("Terrain"), Qt::Key_F2, tr("The scene and its estimate"));
+    rows_ = new SceneRows(options_.scenes, this);
+    list_ = new ScenesPage(*rows_, this);
+    addPage(list_, tr("Scenes"), Qt::Key_F3, tr("All scenes, their verdicts and errors"));
+    connect(list_, &ScenesPage::wanted, this, [this](std::size_t scene) {
+        showScene(scene);
+        rail()->choose(0);
+    });
     const auto tool = [this](const QString& text, const QString& tip, int by) {
         QPushButton* button = addTool(text, tip);
         button->setAccessibleName(tip);
@@ -105,7 +114,8 @@ ScenesWindow::ScenesWindow(Options options)
 
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         options_.stepLimit = metres;
-        showViewState();
+        rows_->forget();
+        ask();
     });
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this](const QString& model) {
         header()->setModel(tr("model %1").arg(model), Tone::Plain);
@@ -118,15 +128,10 @@ ScenesWindow::ScenesWindow(Options options)
     });
     connect(worker_.get(), &EstimatorWorker::estimated, this,
             [this](int job, const TwoTrackEstimate& estimate, double seconds) {
-                if (job != job_) return;
-                estimate_ = estimate;
-                seconds_ = seconds;
-                showViewState();
+                if (job == job_) estimated(estimate, seconds);
             });
     connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const Message& why) {
-        if (job != job_) return;
-        trouble_ = why;
-        showViewState();
+        if (job == job_) failed(why);
     });
     defineKeys();
     worker_->start();
@@ -142,6 +147,7 @@ void ScenesWindow::showScene(std::size_t scene)
     measurement_ = lineOf(options_.scenes[scene_]);
     sideTruth_ = truthOf(options_.scenes[scene_]);
     truth_ = meanOf(sideTruth_);
+    list_->choose(scene_);
     ask();
 }
 
@@ -155,8 +161,60 @@ void ScenesWindow::ask()
 {
     estimate_.reset();
     trouble_ = {};
+    jobScene_ = scene_;
     job_ = worker_->request({measurement_, {}, options_.settings});
     showViewState();
+}
+
+/// Estimates a scene that is not shown, for the list.
+void ScenesWindow::estimateNext()
+{
+    const auto next = rows_->nextWithout(scene_ + 1);
+    if (!next) return;
+    jobScene_ = *next;
+    job_ = worker_->request({lineOf(options_.scenes[*next]), {}, options_.settings});
+}
+
+void ScenesWindow::estimated(const TwoTrackEstimate& estimate, double seconds)
+{
+    const TwoTrackScene& scene = options_.scenes[jobScene_];
+    setResult(
+        {.verdict = verdictOf(estimate, options_.robot, lineOf(scene), {}, options_.stepLimit).both,
+         .error = sceneError(estimate, scene.truth)});
+    if (jobScene_ == scene_) {
+        estimate_ = estimate;
+        seconds_ = seconds;
+        showViewState();
+    }
+    estimateNext();
+}
+
+void ScenesWindow::failed(const Message& why)
+{
+    setResult({.trouble = why});
+    if (jobScene_ == scene_) {
+        trouble_ = why;
+        showViewState();
+    }
+    estimateNext();
+}
+
+void ScenesWindow::setResult(SceneResult result)
+{
+    constexpr std::size_t kSummaryEvery = 50;  // results, of which each summary reads all
+    rows_->setResult(jobScene_, std::move(result));
+    const bool isAll = rows_->known() == options_.scenes.size();
+    if (isAll || jobScene_ == scene_ || rows_->known() % kSummaryEvery == 0) list_->showSummary();
+}
+
+QString ScenesWindow::errorText() const
+{
+    const auto& result = rows_->result(scene_);
+    if (knownHeights(options_.scenes[scene_].truth) == 0) return tr("the truth is unknown");
+    if (!result || !result->error) return tr("no error yet");
+    return tr("error: median %1 mm, mean %2 mm")
+        .arg(format::number(1000.0 * result->error->median, 0),
+             format::number(1000.0 * result->error->mean, 0));
 }
 
 void ScenesWindow::showViewState()
@@ -183,12 +241,11 @@ void ScenesWindow::showViewState()
     viewState.driving = viewState.feeling = viewState.preconditions;
     page_->setViewState(viewState);
     const TwoTrackScene& scene = options_.scenes[scene_];
-    state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
-                       "keys . and , step")
+    state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · %6")
                         .arg(scene_ + 1)
                         .arg(options_.scenes.size())
                         .arg(format::fileName(options_.path), format::shownName(scene.run),
-                             format::number(scene.time, 2)));
+                             format::number(scene.time, 2), errorText()));
 }
 
 void ScenesWindow::defineKeys()
@@ -201,6 +258,8 @@ void ScenesWindow::defineKeys()
                   .pressed = std::move(act),
                   .repeats = true});
     };
+    keys.addGroup(tr("Pages"));
+    addPageKeys();
     keys.addGroup(tr("Scenes"));
     step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { go(+1); });
     step({Qt::Key_Comma, Qt::Key_PageUp}, tr("previous scene"), [this] { go(-1); });

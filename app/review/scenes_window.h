@@ -16,10 +16,14 @@ class QLabel;
 
 namespace terratact {
 
+class SceneRows;
+class ScenesPage;
 class TerrainPage;
+struct SceneResult;
 
-/// Shows the scenes of a file one by one, each with its estimate. The true terrain is shown if the file has it. It has
-/// no source, so it cannot command a robot.
+/// Shows the scenes of a file one by one, each with its estimate. The true terrain is shown if the file has it, with
+/// the error. A list shows verdict and error of every scene; scenes that are not shown are estimated one by one
+/// meanwhile. It has no source, so it cannot command a robot.
 class ScenesWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
@@ -38,13 +42,19 @@ public:
     std::size_t scene() const { return scene_; }
     const std::optional<TwoTrackEstimate>& estimate() const { return estimate_.value(); }
     TerrainPage* terrainPage() const { return page_; }
+    ScenesPage* list() const { return list_; }
     QLabel* stateLabel() const { return state_; }
 
 private:
     void defineKeys();
     void go(int by);
     void ask();
+    void estimateNext();
+    void estimated(const TwoTrackEstimate& estimate, double seconds);
+    void failed(const Message& why);
+    void setResult(SceneResult result);
     void showViewState();
+    QString errorText() const;
 
     Options options_;
     Measurement measurement_;
@@ -52,6 +62,7 @@ private:
     std::optional<std::array<Heights, 2>> sideTruth_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::size_t scene_ = 0;
+    std::size_t jobScene_ = 0;  ///< scene of the running job
     std::uint64_t shows_ = 0;
     int job_ = 0;
     double seconds_ = 0.0;
@@ -60,6 +71,8 @@ private:
 
     QLabel* state_ = nullptr;
     TerrainPage* page_ = nullptr;
+    SceneRows* rows_ = nullptr;
+    ScenesPage* list_ = nullptr;
 };
 
 }  // namespace terratact

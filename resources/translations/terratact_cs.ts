@@ -8554,6 +8554,88 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SceneRows</name>
+    <message>
+        <source>scene</source>
+        <translation>scéna</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>jízda</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>čas [s]</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>podélný sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>příčný sklon</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>skutečnost</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>verdikt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>neznámá</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>error, median</source>
+        <translation>chyba, medián</translation>
+    </message>
+    <message>
+        <source>error, mean</source>
+        <translation>chyba, průměr</translation>
+    </message>
+    <message>
+        <source>%1 bins</source>
+        <translation>%1 bodů</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ScenesPage</name>
+    <message>
+        <source>Scenes of the file</source>
+        <translation>Scény souboru</translation>
+    </message>
+    <message>
+        <source>Summary of the scenes</source>
+        <translation>Souhrn scén</translation>
+    </message>
+    <message>
+        <source>Enter or a double click shows the scene; typing a number goes to it</source>
+        <translation>Enter nebo dvojklik ukáže scénu; napsané číslo na ni přejde</translation>
+    </message>
+    <message>
+        <source>%1 CLEAR, %2 BLOCKED, %3 CANNOT TELL</source>
+        <translation>VOLNO %1, PŘEKÁŽKA %2, NELZE ŘÍCI %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scenes estimated now · %3 · %4</source>
+        <translation>odhadnuto %1 z %2 scén · %3 · %4</translation>
+    </message>
+    <message>
+        <source>no truth is known</source>
+        <translation>skutečnost není známa</translation>
+    </message>
+    <message>
+        <source>median error of the median scene: %1</source>
+        <translation>medián chyby prostřední scény: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ScenesWindow</name>
     <message>
         <source>SCENES — %1 — Terratact</source>
@@ -8582,10 +8664,6 @@ F1</translation>
     <message>
         <source>A scene of a file commands no robot</source>
         <translation>Scéna ze souboru neřídí žádného robota</translation>
-    </message>
-    <message>
-        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · keys . and , step</source>
-        <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto nyní, nezaznamenáno · . a , další a předchozí</translation>
     </message>
     <message>
         <source>Scenes</source>
@@ -8642,6 +8720,30 @@ F1</translation>
     <message>
         <source>Previous scene (,)</source>
         <translation>Předchozí scéna (,)</translation>
+    </message>
+    <message>
+        <source>All scenes, their verdicts and errors</source>
+        <translation>Všechny scény, jejich verdikty a chyby</translation>
+    </message>
+    <message>
+        <source>the truth is unknown</source>
+        <translation>skutečnost není známa</translation>
+    </message>
+    <message>
+        <source>no error yet</source>
+        <translation>chyba zatím není</translation>
+    </message>
+    <message>
+        <source>error: median %1 mm, mean %2 mm</source>
+        <translation>chyba: medián %1 mm, průměr %2 mm</translation>
+    </message>
+    <message>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · %6</source>
+        <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto teď, ne nahráno · %6</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
     </message>
 </context>
 <context>

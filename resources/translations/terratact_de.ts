@@ -8554,6 +8554,88 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SceneRows</name>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>error, median</source>
+        <translation>Fehler, Median</translation>
+    </message>
+    <message>
+        <source>error, mean</source>
+        <translation>Fehler, Mittel</translation>
+    </message>
+    <message>
+        <source>%1 bins</source>
+        <translation>%1 Felder</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ScenesPage</name>
+    <message>
+        <source>Scenes of the file</source>
+        <translation>Szenen der Datei</translation>
+    </message>
+    <message>
+        <source>Summary of the scenes</source>
+        <translation>Zusammenfassung der Szenen</translation>
+    </message>
+    <message>
+        <source>Enter or a double click shows the scene; typing a number goes to it</source>
+        <translation>Enter oder ein Doppelklick zeigt die Szene; eine getippte Nummer springt zu ihr</translation>
+    </message>
+    <message>
+        <source>%1 CLEAR, %2 BLOCKED, %3 CANNOT TELL</source>
+        <translation>%1 FREI, %2 VERSPERRT, %3 UNKLAR</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scenes estimated now · %3 · %4</source>
+        <translation>%1 von %2 Szenen jetzt geschätzt · %3 · %4</translation>
+    </message>
+    <message>
+        <source>no truth is known</source>
+        <translation>keine Wahrheit ist bekannt</translation>
+    </message>
+    <message>
+        <source>median error of the median scene: %1</source>
+        <translation>Median des Fehlers der mittleren Szene: %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ScenesWindow</name>
     <message>
         <source>SCENES — %1 — Terratact</source>
@@ -8582,10 +8664,6 @@ F1</translation>
     <message>
         <source>A scene of a file commands no robot</source>
         <translation>Eine Szene einer Datei befiehlt keinem Roboter</translation>
-    </message>
-    <message>
-        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · keys . and , step</source>
-        <translation>SZENE %1 von %2 in %3 · Fahrt %4 bei %5 s · jetzt geschätzt, nicht aufgezeichnet · . und , vor und zurück</translation>
     </message>
     <message>
         <source>Scenes</source>
@@ -8642,6 +8720,30 @@ F1</translation>
     <message>
         <source>Previous scene (,)</source>
         <translation>Szene davor (,)</translation>
+    </message>
+    <message>
+        <source>All scenes, their verdicts and errors</source>
+        <translation>Alle Szenen, ihre Urteile und Fehler</translation>
+    </message>
+    <message>
+        <source>the truth is unknown</source>
+        <translation>die Wahrheit ist unbekannt</translation>
+    </message>
+    <message>
+        <source>no error yet</source>
+        <translation>noch kein Fehler</translation>
+    </message>
+    <message>
+        <source>error: median %1 mm, mean %2 mm</source>
+        <translation>Fehler: Median %1 mm, Mittel %2 mm</translation>
+    </message>
+    <message>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · %6</source>
+        <translation>SZENE %1 von %2 in %3 · Fahrt %4 bei %5 s · jetzt geschätzt, nicht aufgezeichnet · %6</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include "app/review/review_events_page.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_view_state.h"
+#include "app/review/scenes_page.h"
 #include "app/review/what_if_page.h"
 #include "app/runtime/resources.h"
 #include "app/shell/about.h"
@@ -286,8 +287,11 @@ TEST_F(Screens, scenes)
         press(Qt::Key_Period);
         ASSERT_TRUE(eventually([&] { return scenes->estimate().has_value(); }, 60000));
         const QString state = ScenesWindow::tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · "
-                                               "estimated now, not recorded · keys . and , step");
+                                               "estimated now, not recorded · %6");
         picture("scenes", {state, ScenesWindow::tr("SCENES OF A FILE")});
+        press(Qt::Key_F3);
+        picture("scenes_list", {state, ScenesPage::tr("Scenes of the file")});
+        press(Qt::Key_F2);
         press(Qt::Key_F1);
         QWidget* sheet = nullptr;
         for (QWidget* other : QApplication::topLevelWidgets())

@@ -6,6 +6,7 @@
 #include "app/mission/estimator_worker.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_window.h"
+#include "app/review/scenes_page.h"
 #include "app/review/what_if_page.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_command_check.h"
@@ -69,6 +70,57 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
     EXPECT_FALSE(saysThatStopIsDead(window));
     QTest::keyClick(&window, Qt::Key_Pause);
     EXPECT_TRUE(saysThatStopIsDead(window));
+}
+
+TEST(ScenesOfAFile, listHasVerdictAndErrorOfEveryScene)
+{
+    std::vector<Scene> scenes(4);
+    for (Scene& scene : scenes) scene.s.force.fill(1.0);
+    scenes[0].run = "first";
+    scenes[2].s.pitch = 0.1;
+    scenes[2].truth.fill(-0.2);
+    ScenesWindow window({.path = "/some/scenes.csv",
+                         .scenes = onBothSides(scenes),
+                         .robot = absolem(),
+                         .model = modelFileLoader(
+                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    showActive(window);
+    const QAbstractItemModel& rows = *window.list()->table()->model();
+    ASSERT_EQ(rows.rowCount(), 4);
+    const auto text = [&](int row, int column) {
+        return rows.index(row, column).data().toString();
+    };
+    ASSERT_TRUE(eventually(
+        [&] {
+            for (int row = 0; row < 4; ++row)
+                if (text(row, SceneRows::Answer).size() < 2) return false;
+            return true;
+        },
+        60000))
+        << "scenes that are not shown are estimated, too";
+    EXPECT_EQ(window.scene(), 0U);
+    EXPECT_TRUE(window.estimate().has_value()) << "that of the shown scene stays";
+    EXPECT_EQ(text(0, SceneRows::Truth), "unknown");
+    EXPECT_EQ(text(0, SceneRows::Median), "");
+    EXPECT_TRUE(window.stateLabel()->text().contains("the truth is unknown"));
+    EXPECT_EQ(text(2, SceneRows::Truth), "11 bins");
+    EXPECT_GT(text(2, SceneRows::Median).section(' ', 0, 0).toInt(), 0);
+    EXPECT_TRUE(window.list()->summary()->text().startsWith("4 of 4 scenes"))
+        << window.list()->summary()->text().toStdString();
+
+    QTest::keyClick(&window, Qt::Key_F3);
+    ASSERT_TRUE(window.list()->isVisible());
+    EXPECT_TRUE(window.list()->table()->hasFocus()) << "the keys go to the list";
+    QTest::keyClicks(window.list()->table(), "3");
+    QTest::keyClick(window.list()->table(), Qt::Key_Return);
+    EXPECT_EQ(window.scene(), 2U);
+    EXPECT_TRUE(window.terrainPage()->isVisible());
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    EXPECT_TRUE(window.stateLabel()->text().contains(
+        QStringLiteral("error: median %1").arg(text(2, SceneRows::Median))))
+        << window.stateLabel()->text().toStdString();
+    QTest::keyClick(&window, Qt::Key_Period);
+    EXPECT_EQ(window.list()->table()->currentIndex().row(), 3) << "the list follows";
 }
 
 }  // namespace
