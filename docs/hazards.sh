@@ -43,7 +43,8 @@ trap 'rm -f "$page"' EXIT
   echo '## With the memory of the way'
   echo
   echo 'The console remembers the way before a scene (method *trail*). These drives have telemetry between their scenes. They are judged by'
-  echo '*trail*, and the same ones by *local*, which uses the scene alone:'
+  echo '*trail*, and the same ones by *local*, which uses the scene alone. Ground that'
+  echo 'earlier poses felt counts as felt by *trail*:'
   echo
   echo "    terratact hazards --tracks --memory --drives $remembered"
   echo

@@ -43,6 +43,10 @@ The method `trail` estimates a scene from its readings and from that memory. `co
   last 3 m. Dead reckoning places them. A tight turn, a second without telemetry or a jump of the odometry empties it.
 - **History** (`trail_history.h`): what the record tells at a scene. Pitch and roll at ten places behind the robot; for each bin the lowest
   place of the robot that passed above it, and the load and height of the force elements that pressed near it.
+- **Felt earlier**: the history also tells which tenths of a bin the flippers pressed from an earlier pose, and the heights that the arm
+  measured. A bin that earlier and present presses cover is *remembered*. It counts as felt for the verdict's horizon while dead reckoning
+  adds at most 30 mm to its height. One sd of slip is taken from both ends of each stretch. An arm's reading moves its new bin, and the
+  bin is remembered if the arm's point lies within 20 mm of its centre.
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of

@@ -209,6 +209,7 @@ void Estimation::addArmReading(const ArmReading& reading)
         return r.bin == reading.bin && r.side == reading.side;
     });
     readings_.push_back(reading);
+    memory_.addArm(scene_->measurement, reading);
     start();
 }
 

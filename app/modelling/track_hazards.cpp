@@ -145,7 +145,8 @@ std::string trackTotals(std::span<const TrackHazardLine> lines, PressStyle style
 void countScene(const TwoTrackScene& scene, const RobotModel& robot,
                 const TwoTrackEstimate& estimate, double stepLimit, TrackHazardLine& line)
 {
-    const TwoTrackVerdict verdict = verdictOf(estimate, robot, scene.s, stepLimit);
+    const TwoTrackVerdict verdict =
+        verdictOf(estimate, robot, measurementOf(scene.s), {}, stepLimit);
     std::array<VerdictCounts, 2> sides;
     bool stepBefore = false;
     for (std::size_t i = 0; i < 2; ++i) {

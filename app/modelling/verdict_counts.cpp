@@ -16,7 +16,7 @@ void countBands(const TerrainEstimate& estimate, const Heights& truth, VerdictCo
     for (std::size_t i = 0; i < kBins; ++i) {
         const bool covered = truth[i] >= estimate.q10[i] && truth[i] <= estimate.q90[i];
         const bool felt =
-            estimate.touch[i] == Touch::Felt || estimate.touch[i] == Touch::FeltInPart;
+            isFeltThrough(estimate.touch[i]) || estimate.touch[i] == Touch::FeltInPart;
         if (felt) {
             ++counts.feltBins;
             counts.feltCovered += covered ? 1 : 0;

@@ -68,11 +68,13 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
     estimate.novelty = prediction.novelty;
     GaussianMixture& distribution = prediction.distribution;
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
+    addEarlierArm(measured, prediction.earlier);
     applyMeasurements(distribution, 0, std::move(measured), prediction.contact, estimate);
     warnIfNovel(estimate);
     writeBins(distribution, 0, estimate);
     estimate.draws = heightDraws(distribution, estimate, poll);
     writeTouch(estimate, pressedBins(robot, s, estimate.ceiling));
+    addRemembered(estimate, prediction.earlier.felt, cellsOf(pressedStretches(robot, s)));
     addHazards(estimate, settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
 }

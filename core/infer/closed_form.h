@@ -35,11 +35,18 @@ inline constexpr double kSmoothing = 0.25;  ///< κ
 GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::VectorXd& features,
                                     unsigned covered, Method method);
 
+/// What earlier scenes felt and measured of one plane's bins.
+struct EarlierTouch {
+    FeltCells felt{};                                        ///< see addRemembered()
+    std::array<std::optional<MeasuredHeight>, kBins> arm{};  ///< conditions bins without a reading
+};
+
 /// What a closed form predicts of a scene, before any contact or probe.
 struct SurfacePrediction {
     GaussianMixture distribution;         ///< of the surface coordinates
     std::optional<ContactError> contact;  ///< empty: contacts act through the inputs alone
     double novelty = 0.0;                 ///< ClearanceModel::novelty()
+    EarlierTouch earlier{};               ///< what earlier scenes felt and measured
 };
 
 /// Returns the bins that the robot covers in the pose of one plane.

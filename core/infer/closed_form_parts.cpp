@@ -86,6 +86,13 @@ GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& samp
     return mixture;
 }
 
+void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier)
+{
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (earlier.arm[i] && !(measured.bin[i] && measured.bin[i]->origin == Origin::Arm))
+            measured.bin[i] = earlier.arm[i];
+}
+
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
                        const std::optional<ContactError>& contact, TerrainEstimate& estimate)
 {

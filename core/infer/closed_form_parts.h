@@ -20,6 +20,10 @@ void requireClosedForm(const Settings& settings);
 /// number per row of the residuals.
 GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& sample);
 
+/// Adds the heights that the arm measured earlier to bins that it did not measure now. A contact
+/// gives way. Their origin is Sampled: the present scene did not measure them.
+void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier);
+
 /// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
 /// ceilings must be known. contact: error of a contact; empty: contacts act through the inputs alone.
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,

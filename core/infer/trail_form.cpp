@@ -18,6 +18,15 @@ bool hasWay(const TrailHistory* history)
     return history && isUsable(*history);
 }
 
+EarlierTouch earlierOn(const TrailGround& ground)
+{
+    EarlierTouch earlier{ground.felt, {}};
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (ground.armSd[i] > 0.0)
+            earlier.arm[i] = MeasuredHeight{ground.armHeight[i], ground.armSd[i], Origin::Sampled};
+    return earlier;
+}
+
 GaussianMixture distributionOf(const TrailPrediction& prediction)
 {
     return smoothed(prediction.mean, prediction.errors);
@@ -47,7 +56,8 @@ TerrainEstimate trailEstimate(const Proprioception& s, const TrailHistory& histo
     const Eigen::VectorXd inputs = planeInputs(s, history, ceiling);
     return estimateFrom({distributionOf(models.trail->plane(inputs, coveredBins(ceiling))),
                          {},
-                         models.clearance.novelty(knownFeatures(s))},
+                         models.clearance.novelty(knownFeatures(s)),
+                         earlierOn(history.ground[0])},
                         s, arm, robot, settings, poll);
 }
 
@@ -62,7 +72,8 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
         sideInputs(s, Side::Right, history, sideCeiling(robot, s, Side::Right))};
     return estimateFrom({distributionOf(models.trail->sides(inputs, coveredOnSides(robot, s))),
                          {},
-                         models.sides->novelty(sideFeatures(s, Side::Left))},
+                         models.sides->novelty(sideFeatures(s, Side::Left)),
+                         {earlierOn(history.ground[1]), earlierOn(history.ground[2])}},
                         s, arms, robot, settings, poll);
 }
 

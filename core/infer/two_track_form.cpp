@@ -119,10 +119,11 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
     }
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
-        applyMeasurements(
-            distribution, firstOf(side),
-            measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings),
-            prediction.contact[numberOf(side)], own);
+        MeasuredBins measured =
+            measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings);
+        addEarlierArm(measured, prediction.earlier[numberOf(side)]);
+        applyMeasurements(distribution, firstOf(side), std::move(measured),
+                          prediction.contact[numberOf(side)], own);
         warnIfNovel(own);
     }
     for (const Side side : kSides)
@@ -131,7 +132,10 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
         const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
-        writeTouch(own, pressedBins(plane, sideReadings(s, side), own.ceiling));
+        const Proprioception readings = sideReadings(s, side);
+        writeTouch(own, pressedBins(plane, readings, own.ceiling));
+        addRemembered(own, prediction.earlier[numberOf(side)].felt,
+                      cellsOf(pressedStretches(plane, readings)));
         addOwnHazards(own, side, poll);
         own = finite(std::move(own), poll);
     }

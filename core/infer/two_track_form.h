@@ -41,6 +41,7 @@ struct SidesPrediction {
     GaussianMixture distribution;  ///< of the surface coordinates, left above right
     std::array<std::optional<ContactError>, 2> contact;  ///< as in SurfacePrediction
     double novelty = 0.0;
+    std::array<EarlierTouch, 2> earlier{};  ///< as in SurfacePrediction
 };
 
 /// Returns the bins that the robot covers on each side.

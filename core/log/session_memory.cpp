@@ -9,7 +9,8 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMemoryNumbers = 2 + 2 * kTrailPlaces + kTrailPlanes * 3 * kTrailBins;
+constexpr std::size_t kOldMemoryNumbers = 2 + 2 * kTrailPlaces + kTrailPlanes * 3 * kTrailBins;
+constexpr std::size_t kMemoryNumbers = kOldMemoryNumbers + kTrailPlanes * 3 * kBins;
 constexpr double kMaxMemoryNumber = 1e6;  // [m], [rad], [N]
 constexpr int kMaxMemoryPresses = 10'000;
 
@@ -45,6 +46,16 @@ public:
             isSound_ = isSound_ && (std::isinf(number) || number <= kMaxMemoryNumber);
         }
     }
+    /// Reads whole numbers from 0 to most.
+    template <class Numbers>
+    void fillWhole(Numbers& numbers, std::uint16_t most)
+    {
+        for (std::uint16_t& number : numbers) {
+            const double value = next(0.0, most);
+            isSound_ = isSound_ && value == std::floor(value);
+            number = isSound_ ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
+        }
+    }
     bool isSound() const { return isSound_; }
 
 private:
@@ -66,12 +77,19 @@ std::string bytesOfMemory(const TrailHistory& memory)
     for (const TrailGround& ground : memory.ground)
         for (const auto* numbers : {&ground.lowest, &ground.load, &ground.pressed})
             addNumbers(bytes, *numbers);
+    for (const TrailGround& ground : memory.ground) {
+        addNumbers(bytes, ground.felt);
+        addNumbers(bytes, ground.armHeight);
+        addNumbers(bytes, ground.armSd);
+    }
     return bytes;
 }
 
 std::optional<TrailHistory> memoryFrom(std::string_view bytes)
 {
-    if (bytes.size() != kMemoryNumbers * sizeof(double)) return std::nullopt;
+    const std::size_t size = bytes.size();
+    if (size != kMemoryNumbers * sizeof(double) && size != kOldMemoryNumbers * sizeof(double))
+        return std::nullopt;
     MemoryNumbers numbers(bytes);
     TrailHistory memory;
     memory.way = numbers.next(0.0, kTrailReach);
@@ -85,6 +103,12 @@ std::optional<TrailHistory> memoryFrom(std::string_view bytes)
         numbers.fill(ground.load, 0.0);
         numbers.fill(ground.pressed);
     }
+    if (size == kMemoryNumbers * sizeof(double))
+        for (TrailGround& ground : memory.ground) {
+            numbers.fillWhole(ground.felt, kAllCells);
+            numbers.fill(ground.armHeight);
+            numbers.fill(ground.armSd, 0.0);
+        }
     if (!numbers.isSound()) return std::nullopt;
     return memory;
 }

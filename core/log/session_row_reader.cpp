@@ -177,8 +177,9 @@ std::optional<TrailHistory> memoryOrNone(CheckedRow& row)
 {
     if (row.isNone()) return std::nullopt;
     const std::optional<TrailHistory> memory = memoryFrom(row.blob());
-    require(memory.has_value(), TR_NOOP("core", "a memory of the way is expected to hold 103 "
-                                                "numbers in their ranges"));
+    require(memory.has_value(),
+            TR_NOOP("core", "a memory of the way is expected to hold 103 or 202 "
+                            "numbers in their ranges"));
     return memory;
 }
 

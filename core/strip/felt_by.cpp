@@ -1,6 +1,7 @@
 #include "core/strip/felt_by.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/named.h"
 #include "core/terrain/ground_lines.h"
@@ -25,6 +26,8 @@ FeltBy feltBy(const TerrainEstimate& estimate, int bin)
     switch (estimate.touch[i]) {
     case Touch::Felt: return bin >= kFirstFlipperBin ? FeltBy::Contact : FeltBy::Track;
     case Touch::FeltInPart: return FeltBy::InPart;
+    case Touch::Remembered:  // the strip holds what the earlier estimate said
+        return std::isfinite(estimate.ceiling[i]) ? FeltBy::Bounded : FeltBy::NotFelt;
     case Touch::Bounded: return FeltBy::Bounded;
     case Touch::NotFelt: return FeltBy::NotFelt;
     case Touch::Unrecorded: break;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/infer/estimate/touch.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -33,6 +34,12 @@ struct TrailGround {
     std::array<double, kTrailBins> load{};
     std::array<double, kTrailBins>
         pressed{};  ///< mean height of these elements by load; 0 without load
+    /// Parts of the bins that the front flippers felt at earlier scenes (pressedStretches()), and
+    /// bins that the arm measured there.
+    FeltCells felt{};
+    /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]; an sd
+    /// of 0: none.
+    Heights armHeight{}, armSd{};
     bool operator==(const TrailGround&) const = default;
 };
 

@@ -10,9 +10,21 @@ namespace terratact {
 namespace {
 
 constexpr double kUncovered = std::numeric_limits<double>::infinity();
-constexpr double kWindow = 0.05;     // [m] half a window of the attitude
-constexpr double kLeastForce = 0.6;  // [N] twice an element's noise
-constexpr double kRounding = 1e-9;   // [m]
+constexpr double kWindow = 0.05;            // [m] half a window of the attitude
+constexpr double kLeastForce = 0.6;         // [N] twice an element's noise
+constexpr double kRounding = 1e-9;          // [m]
+constexpr std::array kSlopes{-0.35, 0.35};  // of ground that carries a height
+
+/// Returns the planes that an arm reading tells of. One plane takes every reading, a side its own.
+std::vector<std::size_t> planesOf(ProbeSide side)
+{
+    switch (side) {
+    case ProbeSide::Left: return {0, 1};
+    case ProbeSide::Right: return {0, 2};
+    case ProbeSide::Middle: break;
+    }
+    return {0};
+}
 
 struct PlaneOfLine {
     RobotModel robot;
@@ -76,6 +88,7 @@ void TrailRecord::forgetAfterBreak()
     if (segment_ == way_.segment()) return;
     segment_ = way_.segment();
     begin_.reset();
+    odometry_.reset();
     places_.clear();
     presses_.clear();
 }
@@ -97,6 +110,7 @@ void TrailRecord::add(const Measurement& line)
     forgetAfterBreak();
     const std::optional<WayPose> pose = way_.now();
     if (!pose) return;
+    addOdometry(line);
     if (!begin_) begin_ = pose->way;
     const bool isNear = !places_.empty() && pose->way - lastLine_ < kStep;
     if (isNear) return;
@@ -105,10 +119,24 @@ void TrailRecord::add(const Measurement& line)
     dropOld(pose->way);
 }
 
+void TrailRecord::addOdometry(const Measurement& line)
+{
+    const OdometryLine odometry = odometryOf(line);
+    if (odometry_)
+        odometry_->add(odometry);
+    else
+        odometry_.emplace(robot_, odometry);
+    for (Press& press : presses_) {
+        const OdometryLine& then = press.at.line;
+        press.tilt.pitch = std::max(press.tilt.pitch, std::abs(line.pitch - then.pitch));
+        press.tilt.roll = std::max(press.tilt.roll, std::abs(line.roll - then.roll));
+    }
+}
+
 void TrailRecord::dropOld(double way)
 {
     while (!places_.empty() && way - places_.front().way > kLength) places_.pop_front();
-    while (!presses_.empty() && way - presses_.front().way > kLength) presses_.pop_front();
+    while (!presses_.empty() && way - presses_.front().pose.way > kLength) presses_.pop_front();
     begin_ = std::max(*begin_, way - kLength);
 }
 
@@ -136,7 +164,7 @@ void TrailRecord::addScene(const Measurement& scene)
     add(now);
     const std::optional<WayPose> pose = way_.now();
     if (!pose) return;
-    Press press{pose->way, pose->imu, {}};
+    Press press{*pose, odometry_->now(), {}, {}, {}, {}};
     for (std::size_t p = 0; p < kTrailPlanes; ++p) {
         const PlaneOfLine plane = planeOf(robot_, scene, p, robot_.lateral.flipperY);
         const Pose inDem = poseInDem(plane.robot, plane.s.pitch, plane.s.front, plane.s.rear);
@@ -144,8 +172,9 @@ void TrailRecord::addScene(const Measurement& scene)
             const Vec2 at = elementPosition(plane.robot, inDem, plane.robot.elementShare[e]);
             press.elements[p][e] = {at.x, at.z, plane.s.force[e].value_or(0.0)};
         }
+        press.pressed[p] = pressedStretches(plane.robot, plane.s);
     }
-    if (!presses_.empty() && std::abs(pose->way - presses_.back().way) < kStep) {
+    if (!presses_.empty() && std::abs(pose->way - presses_.back().pose.way) < kStep) {
         presses_.pop_back();
         std::erase_if(places_, [&](const Place& place) {
             return place.isScene && std::abs(place.way - pose->way) < kStep;
@@ -153,6 +182,19 @@ void TrailRecord::addScene(const Measurement& scene)
     }
     presses_.push_back(press);
     places_.push_back(placeOf(*pose, scene, true));
+}
+
+void TrailRecord::addArm(const Measurement& scene, const ArmReading& reading)
+{
+    const std::optional<WayPose> pose = poseAt(scene);
+    if (!pose) return;
+    for (Press& press : presses_) {
+        if (std::abs(pose->way - press.pose.way) >= kStep) continue;
+        std::erase_if(press.arm, [&](const ArmReading& other) {
+            return other.bin == reading.bin && other.side == reading.side;
+        });
+        press.arm.push_back(reading);
+    }
 }
 
 TrailHistory TrailRecord::before(const Measurement& scene, double way) const
@@ -164,6 +206,7 @@ TrailHistory TrailRecord::before(const Measurement& scene, double way) const
     writeAttitude(history, pose->way, *scene.travelled);
     writeLowest(history, scene, *pose);
     writePressed(history, *pose);
+    writeFelt(history, scene, *pose);
     return history;
 }
 
@@ -206,13 +249,62 @@ void TrailRecord::writeLowest(TrailHistory& history, const Measurement& scene,
     }
 }
 
+bool TrailRecord::isBefore(const Press& press, const WayPose& pose, const TrailHistory& history)
+{
+    const double way = pose.way - press.pose.way;
+    return way <= history.way + kRounding && std::abs(way) >= kStep;  // else the scene itself
+}
+
+void TrailRecord::writeFelt(TrailHistory& history, const Measurement& scene,
+                            const WayPose& pose) const
+{
+    const ReckonedState now = odometry_->after(odometryOf(scene));
+    for (std::size_t p = 0; p < kTrailPlanes; ++p) {
+        std::vector<GroundStretch> felt;
+        for (const Press& press : presses_) {
+            if (!isBefore(press, pose, history)) continue;
+            const ImuMotion since = odometry_->motion(press.at, now, press.tilt);
+            if (carriedSd(since, kSlopes) > kRememberedSd) continue;
+            const double dx = press.pose.imu.x - pose.imu.x;
+            const double margin = std::abs(since.slipForward);
+            for (const GroundStretch& pressed : press.pressed[p])
+                felt.push_back({pressed.from + dx + margin, pressed.to + dx - margin});
+        }
+        history.ground[p].felt = cellsOf(felt);
+    }
+    for (const Press& press : presses_) {
+        if (!isBefore(press, pose, history)) continue;
+        const ImuMotion since = odometry_->motion(press.at, now, press.tilt);
+        if (carriedSd(since, kSlopes) > kRememberedSd) continue;
+        writeArm(history, press, since, press.pose.imu.x - pose.imu.x,
+                 press.pose.imu.z - pose.imu.z);
+    }
+}
+
+void TrailRecord::writeArm(TrailHistory& history, const Press& press, const ImuMotion& since,
+                           double dx, double dz) const
+{
+    for (const ArmReading& reading : press.arm) {
+        const double x = binCentre(reading.bin) + dx;
+        const auto bin = static_cast<int>(std::lround((x - binCentre(0)) / kBinWidth));
+        if (bin < 0 || bin >= kBins) continue;
+        const auto i = static_cast<std::size_t>(bin);
+        const double away = std::abs(x - binCentre(bin));
+        for (const std::size_t p : planesOf(reading.side)) {
+            TrailGround& ground = history.ground[p];
+            ground.armHeight[i] = reading.height + dz;
+            ground.armSd[i] = std::hypot(reading.sd, carriedSd(since, kSlopes), kArmSlope * away);
+            if (away <= kArmWithin + kRounding) ground.felt[i] = kAllCells;
+        }
+    }
+}
+
 void TrailRecord::writePressed(TrailHistory& history, const WayPose& pose) const
 {
     for (const Press& press : presses_) {
-        if (pose.way - press.way > history.way + kRounding) continue;
-        if (std::abs(pose.way - press.way) < kStep) continue;  // the scene itself
+        if (!isBefore(press, pose, history)) continue;
         ++history.presses;
-        const double dx = press.imu.x - pose.imu.x, dz = press.imu.z - pose.imu.z;
+        const double dx = press.pose.imu.x - pose.imu.x, dz = press.pose.imu.z - pose.imu.z;
         for (std::size_t p = 0; p < kTrailPlanes; ++p)
             for (const Element& element : press.elements[p]) {
                 if (element.force < kLeastForce) continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
@@ -24,7 +25,14 @@ using TrailEnvelope = std::array<double, kEnvelopePoints>;
 class TrailRecord {
 public:
     static constexpr double kLength = 3.0;  ///< [m]
-    static constexpr double kStep = 0.02;   ///< [m] least way between two lines of the record
+    /// A stretch felt earlier counts as felt while dead reckoning adds at most this sd to its heights
+    /// [m]. Both its ends move inwards by one sd of the way since. The same holds for a bin that the arm
+    /// measured, if its point now lies within kArmWithin of a bin's centre [m].
+    static constexpr double kRememberedSd = 0.03;
+    static constexpr double kArmWithin = 0.02;
+    /// The ground between the arm's point and the bin's centre may rise or fall by this much.
+    static constexpr double kArmSlope = 0.35;
+    static constexpr double kStep = 0.02;  ///< [m] least way between two lines of the record
 
     explicit TrailRecord(const RobotModel& robot, const WayLimits& limits = {});
 
@@ -43,6 +51,10 @@ public:
     /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
     /// replaces it. The scene counts as a line of telemetry.
     void addScene(const Measurement& scene);
+
+    /// Keeps a reading of the arm at a scene that was added. It lies at its bin's centre. A later one
+    /// of the same bin and side replaces it. Nothing is kept of a scene that the record has forgotten.
+    void addArm(const Measurement& scene, const ArmReading& reading);
 
     /// Returns why nothing is remembered before the present stretch.
     SectionStart why() const { return way_.why(); }
@@ -65,25 +77,35 @@ private:
     };
     using Elements = std::array<Element, std::size_t{kForceElements}>;
     struct Press {
-        double way = 0.0;
-        Vec2 imu;
+        WayPose pose;
+        ReckonedState at;
+        TiltRange tilt;  ///< largest changes of the attitude since
         std::array<Elements, kTrailPlanes> elements{};
+        std::array<std::vector<GroundStretch>, kTrailPlanes> pressed{};  ///< from the IMU [m]
+        std::vector<ArmReading> arm{};
     };
 
+    /// Returns true if a press is part of the history of a later pose.
+    static bool isBefore(const Press& press, const WayPose& pose, const TrailHistory& history);
     std::optional<WayPose> poseAt(const Measurement& scene) const;
     Place placeOf(const WayPose& pose, const Measurement& line, bool isScene) const;
     void forgetAfterBreak();
+    void addOdometry(const Measurement& line);
     void dropOld(double way);
     void writeAttitude(TrailHistory& history, double now, double travelled) const;
     void writeLowest(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
     void writePressed(TrailHistory& history, const WayPose& pose) const;
+    void writeArm(TrailHistory& history, const Press& press, const ImuMotion& since, double dx,
+                  double dz) const;
+    void writeFelt(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
 
     RobotModel robot_;
     StripWay way_;
     std::int64_t segment_ = 0;
-    std::optional<double> newest_;  ///< time of the newest line [s]
-    std::optional<double> begin_;   ///< way of the first line of the record
-    double lastLine_ = 0.0;         ///< way of the newest line of the record
+    std::optional<double> newest_;      ///< time of the newest line [s]
+    std::optional<double> begin_;       ///< way of the first line of the record
+    std::optional<Odometry> odometry_;  ///< since the first line of the record
+    double lastLine_ = 0.0;             ///< way of the newest line of the record
     std::deque<Place> places_;
     std::deque<Press> presses_;
 };

@@ -4714,10 +4714,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>sítě metody trail nedávají konečné číslo</translation>
     </message>
     <message>
-        <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
-        <translation>paměť cesty má obsahovat 103 čísel ve svých mezích</translation>
-    </message>
-    <message>
         <source>left</source>
         <translation>vlevo</translation>
     </message>
@@ -4872,6 +4868,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>its repeated row count is not a number: %1</source>
         <translation>počet jejích opakovaných řádků není číslo: %1</translation>
+    </message>
+    <message>
+        <source>a memory of the way is expected to hold 103 or 202 numbers in their ranges</source>
+        <translation>paměť cesty má obsahovat 103 nebo 202 čísel ve svých mezích</translation>
     </message>
 </context>
 <context>
@@ -10197,6 +10197,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>bounded</source>
         <translation>omezeno</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>zapamatováno</translation>
     </message>
 </context>
 <context>

@@ -4714,10 +4714,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Netze der Methode trail ergeben keine endliche Zahl</translation>
     </message>
     <message>
-        <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
-        <translation>ein Gedächtnis des Weges muss 103 Zahlen in ihren Bereichen enthalten</translation>
-    </message>
-    <message>
         <source>left</source>
         <translation>links</translation>
     </message>
@@ -4872,6 +4868,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>its repeated row count is not a number: %1</source>
         <translation>die Zahl seiner wiederholten Zeilen ist keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>a memory of the way is expected to hold 103 or 202 numbers in their ranges</source>
+        <translation>ein Gedächtnis des Weges muss 103 oder 202 Zahlen in ihren Bereichen enthalten</translation>
     </message>
 </context>
 <context>
@@ -10197,6 +10197,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>bounded</source>
         <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>gemerkt</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ QString feltWord(Touch touch)
     switch (touch) {
     case Touch::Felt: return NumbersTable::tr("yes");
     case Touch::FeltInPart: return NumbersTable::tr("in part");
+    case Touch::Remembered:
     case Touch::Bounded: return touchWord(touch);
     case Touch::NotFelt: return NumbersTable::tr("no");
     case Touch::Unrecorded: break;

@@ -105,6 +105,26 @@ void BinBorders::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap
     }
 }
 
+namespace {
+
+Qt::BrushStyle patternOf(Touch touch)
+{
+    switch (touch) {
+    case Touch::Bounded: return Qt::HorPattern;
+    case Touch::Remembered: return Qt::Dense7Pattern;
+    default: return Qt::BDiagPattern;
+    }
+}
+
+/// Line of a zone's word, counted from the top: words of neighbouring zones do not cover each other.
+int lineOf(Touch touch)
+{
+    if (touch == Touch::Remembered) return 3;  // below the word of the horizon
+    return touch == Touch::Bounded ? 1 : 0;
+}
+
+}  // namespace
+
 BinZones::BinZones() : QwtPlotItem(QwtText("prior only"))
 {
     setZ(1.0);
@@ -179,25 +199,22 @@ void BinZones::drawZone(QPainter& painter, const Zone& zone) const
 {
     const Kind& kind = zone.kind;
     const bool isWhole = !light || (kind.full && kind.light);
-    const bool bounded = (kind.full ? *kind.full : *kind.light) == Touch::Bounded;
     QColor fill = theme().priorZone;
     fill.setAlpha(isWhole ? 0xc0 : 0x70);
-    painter.fillRect(zone.place, fill);
+    if (kind.shown() != Touch::Remembered) painter.fillRect(zone.place, fill);
     QColor hatch = theme().doubt;
     hatch.setAlpha(isWhole ? 0x60 : 0x30);
-    painter.fillRect(zone.place, QBrush(hatch, bounded ? Qt::HorPattern : Qt::BDiagPattern));
+    painter.fillRect(zone.place, QBrush(hatch, patternOf(kind.shown())));
 }
 
 void BinZones::drawWord(QPainter& painter, const Zone& zone, const QRectF& canvas) const
 {
     const QString label = wordOf(zone.kind);
     if (label.isEmpty()) return;
-    const bool bounded = (zone.kind.full ? *zone.kind.full : *zone.kind.light) == Touch::Bounded;
     const double width = painter.fontMetrics().horizontalAdvance(label);
     QRectF place(zone.place.center().x() - width / 2.0 - 2.0,
-                 zone.place.top() + 5.0
-                     + (bounded ? scaled(20) : 0.0),  // one line below the others
-                 width + 4.0, scaled(20));
+                 zone.place.top() + 5.0 + lineOf(zone.kind.shown()) * scaled(20), width + 4.0,
+                 scaled(20));
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
     if (light) place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);

@@ -68,7 +68,7 @@ public:
 /// shown, a zone of one side alone is paler, and its word begins with the side's letter.
 class BinZones final : public QwtPlotItem {
 public:
-    /// What is not felt of one side.
+    /// What this pose does not feel of one side.
     struct Unfelt {
         std::array<bool, kBins> shown{};
         TouchMap touch = unrecordedTouch();
@@ -88,11 +88,12 @@ public:
               const QRectF& canvas) const override;
 
 private:
-    /// Touch of a bin that is not felt, per side; empty: it is felt, or the side is not shown.
+    /// Touch of a bin that this pose does not feel, per side; empty: it is felt, or the side is not shown.
     struct Kind {
         std::optional<Touch> full, light;
         bool operator==(const Kind&) const = default;
         explicit operator bool() const { return full || light; }
+        Touch shown() const { return full ? *full : *light; }
     };
     Kind kindOf(std::size_t bin) const;
     QString wordOf(const Kind& kind) const;

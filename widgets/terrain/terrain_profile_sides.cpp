@@ -29,11 +29,17 @@ SideTags::Tag tagOf(const TerrainEstimate& estimate, Side side, double aside, bo
             .isFull = isFull};
 }
 
+bool isRemembered(const TerrainEstimate& estimate, int bin)
+{
+    return estimate.touch[static_cast<std::size_t>(bin)] == Touch::Remembered;
+}
+
 BinZones::Unfelt unfeltOf(const TerrainEstimate& estimate, const QString& letter)
 {
     BinZones::Unfelt unfelt{.touch = estimate.touch, .horizon = feltHorizon(estimate)};
     for (int bin = 0; bin < kBins; ++bin)
-        unfelt.shown[static_cast<std::size_t>(bin)] = isUnfeltAhead(estimate, bin);
+        unfelt.shown[static_cast<std::size_t>(bin)] =
+            isUnfeltAhead(estimate, bin) || isRemembered(estimate, bin);
     unfelt.letter = letter;
     return unfelt;
 }

@@ -15,6 +15,7 @@ inline QString touchWord(Touch touch)
     };
     switch (touch) {
     case Touch::Felt: return word(QT_TRANSLATE_NOOP("terratact::Touch", "felt"));
+    case Touch::Remembered: return word(QT_TRANSLATE_NOOP("terratact::Touch", "remembered"));
     case Touch::FeltInPart: return word(QT_TRANSLATE_NOOP("terratact::Touch", "felt in part"));
     case Touch::Bounded: return word(QT_TRANSLATE_NOOP("terratact::Touch", "bounded"));
     case Touch::NotFelt: return word(QT_TRANSLATE_NOOP("terratact::Touch", "not felt"));

@@ -14,7 +14,7 @@ int horizonBin(const TerrainEstimate& estimate)
     if (!isTouchRecorded(estimate)) return kBins - 1;
     int last = kFirstAhead - 1;
     for (int bin = kFirstAhead; bin < kBins; ++bin)
-        if (estimate.touch[static_cast<std::size_t>(bin)] == Touch::Felt
+        if (isFeltThrough(estimate.touch[static_cast<std::size_t>(bin)])
             || binEnd(bin) <= estimate.feltTo + kHorizonSlack)
             last = bin;
     return last;

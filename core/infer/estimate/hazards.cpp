@@ -94,7 +94,7 @@ double unfeltStepRate(const TerrainEstimate& estimate, int firstBin, int lastBin
     double without = 1.0;
     for (int bin = std::max(firstBin, kFirstAhead); bin <= lastBin; ++bin) {
         const Touch touch = estimate.touch[static_cast<std::size_t>(bin)];
-        if (touch != Touch::Felt && touch != Touch::Unrecorded)
+        if (!isFeltThrough(touch) && touch != Touch::Unrecorded)
             without *= 1.0 - estimate.settings.hazardRate;
     }
     return 1.0 - without;

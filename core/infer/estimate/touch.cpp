@@ -12,7 +12,7 @@ namespace terratact {
 namespace {
 
 constexpr auto kTouchNames =
-    namesOf<Touch>("felt", "felt in part", "bounded", "not felt", "not recorded");
+    namesOf<Touch>("felt", "remembered", "felt in part", "bounded", "not felt", "not recorded");
 
 constexpr auto kElements = static_cast<std::size_t>(kForceElements);
 
@@ -52,6 +52,15 @@ ElementLoads loadsOf(const RobotModel& robot, const Proprioception& s)
     }
     for (std::size_t e = 1; e + 1 < kElements; ++e)
         if (!s.force[e]) loads.loaded[e] = carriesLoad(s, e - 1) && carriesLoad(s, e + 1);
+    return loads;
+}
+
+ElementLoads elementLoads(const RobotModel& robot, const Proprioception& s)
+{
+    ElementLoads loads = loadsOf(robot, s);
+    const EdgePressure pressure(robot, s.force, loads.loaded);
+    for (std::size_t e = 0; e < kElements; ++e)
+        loads.even[e] = loads.loaded[e] && pressure.isEven() && pressure.hasItsShare(e);
     return loads;
 }
 
@@ -114,12 +123,47 @@ std::optional<Touch> touchFromName(std::string_view text)
     return valueIn<Touch>(kTouchNames, text);
 }
 
+FeltCells cellsOf(const std::vector<GroundStretch>& stretches)
+{
+    constexpr double kWidth = kBinWidth / kFeltCells;
+    constexpr double kRounding = 1e-9;  // [m]
+    FeltCells cells{};
+    for (int bin = 0; bin < kBins; ++bin)
+        for (int k = 0; k < kFeltCells; ++k) {
+            const double from = binBegin(bin) + kWidth * k;
+            const bool felt = std::ranges::any_of(stretches, [&](const GroundStretch& stretch) {
+                return stretch.from <= from + kRounding && stretch.to >= from + kWidth - kRounding;
+            });
+            if (felt) cells[static_cast<std::size_t>(bin)] |= static_cast<std::uint16_t>(1U << k);
+        }
+    return cells;
+}
+
+std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s)
+{
+    const ElementLoads loads = elementLoads(robot, s);
+    const EdgePressure pressure(robot, s.force, loads.loaded);
+    std::vector<GroundStretch> stretches;
+    if (loads.edgeEnd - loads.edgeBegin < kMinEdge) return stretches;
+    const auto presses = [&](std::size_t e) {
+        return loads.even[e] && pressure.at(shareAt(loads, loads.x[e])) > 0.0;
+    };
+    for (std::size_t first = 0; first < kElements; ++first) {
+        if (!presses(first)) continue;
+        std::size_t last = first;
+        while (last + 1 < kElements && presses(last + 1)) ++last;
+        const double from = first == 0 ? loads.edgeBegin - kUnsensedWithin : loads.x[first];
+        if (first == 0 ? pressure.at(0.0) > 0.0 : last > first)
+            stretches.push_back({from, loads.x[last]});
+        first = last;
+    }
+    return stretches;
+}
+
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling)
 {
-    ElementLoads loads = loadsOf(robot, s);
+    const ElementLoads loads = elementLoads(robot, s);
     const EdgePressure pressure(robot, s.force, loads.loaded);
-    for (std::size_t e = 0; e < kElements; ++e)
-        loads.even[e] = loads.loaded[e] && pressure.isEven() && pressure.hasItsShare(e);
     const double pivot = toWorld(poseInDem(robot, s.pitch, s.front, s.rear), robot.front.pivot).x;
     PressedBins pressed;
     pressed.feltTo = binBegin(0);
@@ -137,6 +181,14 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
     for (std::size_t e = 0; e < kElements; ++e)
         if (loads.loaded[e]) pressed.feltTo = std::max(pressed.feltTo, loads.x[e]);
     return pressed;
+}
+
+void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now)
+{
+    for (auto i = static_cast<std::size_t>(kFirstAhead); i < kBins; ++i)
+        if (estimate.touch[i] != Touch::Felt && earlier[i] != 0
+            && (earlier[i] | now[i]) == kAllCells)
+            estimate.touch[i] = Touch::Remembered;
 }
 
 void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
@@ -17,15 +18,22 @@ struct TerrainEstimate;
 /// Touch of a bin at this pose, strongest evidence first.
 enum class Touch : std::uint8_t {
     Felt,        ///< the robot presses on all of it, or the arm measured it
+    Remembered,  ///< earlier poses felt all of it, or all that this pose does not feel
     FeltInPart,  ///< the robot presses on one stretch of the bin, but not on another
     Bounded,     ///< the robot is above it and does not press: the ground may be anywhere below
     NotFelt,     ///< no part of the robot covers all of it
     Unrecorded,  ///< the recording is older than this field
 };
-inline constexpr std::array kTouches{Touch::Felt, Touch::FeltInPart, Touch::Bounded, Touch::NotFelt,
-                                     Touch::Unrecorded};
+inline constexpr std::array kTouches{Touch::Felt,    Touch::Remembered, Touch::FeltInPart,
+                                     Touch::Bounded, Touch::NotFelt,    Touch::Unrecorded};
 
-/// Returns "felt", "felt in part", "bounded", "not felt" or "not recorded".
+/// Returns true if the whole bin was felt, now or earlier: it counts for the verdict's horizon.
+constexpr bool isFeltThrough(Touch touch)
+{
+    return touch == Touch::Felt || touch == Touch::Remembered;
+}
+
+/// Returns "felt", "remembered", "felt in part", "bounded", "not felt" or "not recorded".
 std::string_view name(Touch touch);
 std::optional<Touch> touchFromName(std::string_view text);
 
@@ -38,6 +46,21 @@ constexpr TouchMap unrecordedTouch()
     for (Touch& touch : map) touch = Touch::Unrecorded;
     return map;
 }
+
+/// A stretch of ground [m].
+struct GroundStretch {
+    double from = 0.0, to = 0.0;
+    bool operator==(const GroundStretch&) const = default;
+};
+
+/// Parts of the bins, kFeltCells to a bin: bit k of a bin is the stretch
+///   binBegin + k w … binBegin + (k + 1) w,   w = kBinWidth / kFeltCells.
+using FeltCells = std::array<std::uint16_t, kBins>;
+inline constexpr int kFeltCells = 10;
+inline constexpr std::uint16_t kAllCells = (1U << kFeltCells) - 1U;
+
+/// Returns the cells that lie within one of the stretches, DEM frame.
+FeltCells cellsOf(const std::vector<GroundStretch>& stretches);
 
 /// An element above this force [N] carries load. It is three standard deviations of an unloaded
 /// element's noise (core/sim/sensor_noise.h).
@@ -76,6 +99,17 @@ struct PressedBins {
 /// docs/hazards.md shows how often they occur. ceiling: of this pose [m], +infinity where the bin
 /// is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);
+
+/// Returns the stretches on which the front flippers press, DEM frame, rear to front. Each reaches
+/// from one element to another. These two and all between carry their share of load on even ground,
+/// as for Felt, with a pressure above 0. From element 1 on, it begins kUnsensedWithin behind the
+/// flippers' edge.
+std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
+
+/// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.
+/// Of each, every cell was felt `earlier` or is felt `now`. The caller answers for `earlier`: the
+/// estimate knows the heights that were felt.
+void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now);
 
 /// Writes estimate.touch and estimate.feltTo. The arm's bins are Felt. A bin behind the front pivot
 /// is Felt if ceiling − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the

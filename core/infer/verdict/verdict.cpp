@@ -46,10 +46,10 @@ int reachBin(const TerrainEstimate& estimate)
     return last;
 }
 
-bool isFeltThrough(const TerrainEstimate& estimate, int lastBin)
+bool isFeltTo(const TerrainEstimate& estimate, int lastBin)
 {
     for (int bin = kFirstAhead; bin <= lastBin; ++bin)
-        if (touchAt(estimate, bin) != Touch::Felt) return false;
+        if (!isFeltThrough(touchAt(estimate, bin))) return false;
     return true;
 }
 
@@ -58,7 +58,7 @@ Shortfall shortfallOf(const TerrainEstimate& estimate, int horizon)
     if (!isTouchRecorded(estimate)) return Shortfall::None;
     if (horizon < kFirstAhead) return Shortfall::NothingFelt;
     if (horizon < std::max(reachBin(estimate), kMinHorizonBin)) return Shortfall::ShortHorizon;
-    return isFeltThrough(estimate, horizon) ? Shortfall::None : Shortfall::Spanned;
+    return isFeltTo(estimate, horizon) ? Shortfall::None : Shortfall::Spanned;
 }
 
 Help helpFor(Shortfall shortfall, const Measurement& scene)

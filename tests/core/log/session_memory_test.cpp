@@ -35,8 +35,21 @@ TEST(SessionMemory, EveryNumberSurvivesItsBytes)
     for (TrailGround& ground : memory.ground)
         for (auto* numbers : {&ground.lowest, &ground.load, &ground.pressed})
             for (double& number : *numbers) number = value += 0.001;
+    std::uint16_t cells = 0;
+    for (TrailGround& ground : memory.ground)
+        for (std::size_t i = 0; i < kBins; ++i) {
+            ground.felt[i] = ++cells;
+            ground.armHeight[i] = value += 0.001;
+            ground.armSd[i] = value += 0.001;
+        }
     EXPECT_EQ(memoryFrom(bytesOfMemory(memory)), memory);
-    EXPECT_EQ(bytesOfMemory(memory).size(), 103U * 8U);
+    EXPECT_EQ(bytesOfMemory(memory).size(), 202U * 8U);
+}
+
+TEST(SessionMemory, OlderOnesFeltNothing)
+{
+    const TrailHistory memory = someMemory();
+    EXPECT_EQ(memoryFrom(bytesOfMemory(memory).substr(0, 103U * 8U)), memory);
 }
 
 TEST(SessionMemory, RefusesWhatNoMemoryHas)
@@ -52,6 +65,8 @@ TEST(SessionMemory, RefusesWhatNoMemoryHas)
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.presses = -1; }));
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.pitch[9] = std::nan(""); }));
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[2].load[0] = -0.1; }));
+    EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[2].felt[0] = kAllCells + 1; }));
+    EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[2].armSd[10] = -0.01; }));
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[1].lowest[0] = std::nan(""); }));
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[1].lowest[0] = 1e9; }));
     EXPECT_TRUE(isRefused([](TrailHistory& m) { m.ground[0].pressed[0] = INFINITY; }));
@@ -61,9 +76,9 @@ TEST(SessionMemory, RefusesWhatNoMemoryHas)
 TEST_F(Session, refusesAStoredMemoryThatCannotBe)
 {
     const std::string complaint =
-        "row 1 of its table scene: a memory of the way is expected to hold 103 numbers";
+        "row 1 of its table scene: a memory of the way is expected to hold 103 or 202 numbers";
     for (const char* memory :
-         {"x'00'", "zeroblob(832)", "x''", "substr(memory, 1, 816) || x'ff'"}) {
+         {"x'00'", "zeroblob(832)", "x''", "substr(memory, 1, 1608) || x'ffffffffffffffff'"}) {
         const std::string found =
             complaintsAfter(path, std::string("UPDATE scene SET memory = CAST(") + memory
                                       + " AS BLOB) WHERE id = 1");

@@ -8,9 +8,12 @@
 #include <fstream>
 #include <memory>
 #include <random>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/infer/estimate/hazards.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/learn/model/model_file.h"
 #include "core/sim/ground/random_terrain.h"
@@ -283,32 +286,79 @@ TEST(TrailModel, WithoutAHistoryLocalEstimates)
               "nothing of the way is remembered: this scene alone counts");
 }
 
-TEST(TrailModel, AProbeMovesItsBin)
+/// The first scene of a drive behind 0.5 m of way, and what is remembered before it.
+struct RememberedScene {
+    Measurement scene;
+    TrailHistory history;
+};
+
+RememberedScene rememberedScene()
 {
-    const Models& models = modelsWithTrail();
-    const DriveLines drive = driveOnPlane(92);
     TrailRecord record(absolem());
-    const Measurement* scene = nullptr;
-    for (const DriveLine& line : drive.lines) {
-        scene = line.isScene ? &line.line : nullptr;
-        if (scene && record.length() > 0.5) break;
-        if (scene)
-            record.addScene(line.line);
-        else
+    for (const DriveLine& line : driveOnPlane(92).lines) {
+        if (!line.isScene)
             record.add(line.line);
+        else if (record.length() > 0.5)
+            return {line.line, record.before(line.line)};
+        else
+            record.addScene(line.line);
     }
-    ASSERT_NE(scene, nullptr);
-    const TrailHistory history = record.before(*scene);
+    throw std::runtime_error("the drive is shorter than 0.5 m");
+}
+
+TwoTrackEstimate estimateOf(const RememberedScene& at, std::span<const ArmReading> readings = {})
+{
     Settings settings;
     settings.method = Method::Trail;
-    const TwoTrackEstimate before =
-        estimateMeasured(*scene, {}, absolem(), models, settings, {}, &history);
-    const double target = before.side[0].height[9] - 0.1;
+    return estimateMeasured(at.scene, readings, absolem(), modelsWithTrail(), settings, {},
+                            &at.history);
+}
+
+TEST(TrailModel, AProbeMovesItsBin)
+{
+    const RememberedScene at = rememberedScene();
+    const double target = estimateOf(at).side[0].height[9] - 0.1;
     const ArmReading reading{.bin = 9, .height = target, .sd = 0.01};
-    const TwoTrackEstimate after =
-        estimateMeasured(*scene, {&reading, 1}, absolem(), models, settings, {}, &history);
+    const TwoTrackEstimate after = estimateOf(at, {&reading, 1});
     EXPECT_NEAR(after.side[0].height[9], target, 0.02);
     EXPECT_EQ(after.side[0].origin[9], Origin::Arm);
+}
+
+TEST(TrailModel, AnEarlierProbeMovesItsBin)
+{
+    RememberedScene at = rememberedScene();
+    const double target = estimateOf(at).side[0].height[9] - 0.1;
+    for (TrailGround& ground : at.history.ground) {
+        ground.armHeight[9] = target;
+        ground.armSd[9] = 0.015;
+        ground.felt[9] = kAllCells;
+    }
+    const TwoTrackEstimate after = estimateOf(at);
+    for (const TerrainEstimate& side : after.side) {
+        EXPECT_NEAR(side.height[9], target, 0.03);
+        EXPECT_EQ(side.origin[9], Origin::Sampled) << "this scene did not measure it";
+        EXPECT_EQ(side.touch[9], Touch::Remembered);
+    }
+    const ArmReading now{.bin = 9, .height = target + 0.05, .sd = 0.01};
+    EXPECT_NEAR(estimateOf(at, {&now, 1}).side[0].height[9], target + 0.05, 0.02);
+}
+
+TEST(TrailModel, GroundFeltEarlierHasNoHazard)
+{
+    RememberedScene at = rememberedScene();
+    for (TrailGround& ground : at.history.ground) ground.felt = {};
+    const TerrainEstimate before = estimateOf(at).side[0];
+    const auto unfelt = std::ranges::find_if(
+        before.touch.begin() + kFirstAhead, before.touch.end(),
+        [](Touch touch) { return touch == Touch::Bounded || touch == Touch::NotFelt; });
+    ASSERT_NE(unfelt, before.touch.end());
+    const auto bin = static_cast<std::size_t>(unfelt - before.touch.begin());
+    for (TrailGround& ground : at.history.ground) ground.felt[bin] = kAllCells;
+    const TerrainEstimate after = estimateOf(at).side[0];
+    EXPECT_EQ(after.touch[bin], Touch::Remembered);
+    EXPECT_LT(after.sd[bin], before.sd[bin]);
+    EXPECT_LT(unfeltStepRate(after, kFirstAhead, kBins - 1),
+              unfeltStepRate(before, kFirstAhead, kBins - 1));
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/robot/kinematics.h"
 #include "core/terrain/body_ceiling.h"
@@ -10,6 +12,11 @@
 
 namespace terratact {
 namespace {
+
+bool feelsNothing(const TrailGround& ground)
+{
+    return std::ranges::all_of(ground.felt, [](std::uint16_t cells) { return cells == 0; });
+}
 
 /// A robot on level ground with raised front flippers.
 struct TrailRecordTest : testing::Test {
@@ -43,6 +50,17 @@ struct TrailRecordTest : testing::Test {
         SideForces sides;
         for (std::size_t e = 0; e < sides.left.size(); ++e)
             sides.left[e] = sides.right[e] = e == 4 ? 5.0 : 0.0;
+        setSides(scene, sides);
+        return scene;
+    }
+
+    /// Returns the line with flippers pressed flat on level ground.
+    Measurement pressFlat() const
+    {
+        Measurement scene = press();
+        SideForces sides;
+        for (std::size_t e = 0; e < sides.left.size(); ++e)
+            sides.left[e] = sides.right[e] = e == 0 ? 16.0 : e == 5 ? 5.0 : 10.0;
         setSides(scene, sides);
         return scene;
     }
@@ -128,6 +146,81 @@ TEST_F(TrailRecordTest, APressIsFoundWhereItWas)
             EXPECT_NEAR(history.ground[0].pressed[bin], element.z, 1e-6) << bin;
         }
     }
+}
+
+TEST_F(TrailRecordTest, PressedGroundIsFeltEarlier)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    const TrailHistory none = record.before(line);
+    EXPECT_TRUE(feelsNothing(none.ground[0])) << "a scene is no memory of itself";
+    drive(0.15, 0.01);
+    // Pressed from 0.24 to 0.56 m, 0.15 m ago. Slip takes 0.015 m from both ends: 0.105 … 0.395 m.
+    const TrailHistory history = record.before(line);
+    for (const TrailGround& ground : history.ground) {
+        EXPECT_EQ(ground.felt[4], 0b1111000000);
+        EXPECT_EQ(ground.felt[5], kAllCells);
+        EXPECT_EQ(ground.felt[6], kAllCells);
+        EXPECT_EQ(ground.felt[7], 0b0000001111);
+        EXPECT_EQ(ground.felt[8], 0);
+    }
+}
+
+TEST_F(TrailRecordTest, OneSidesPressIsFeltThereAlone)
+{
+    drive(0.6);
+    Measurement scene = pressFlat();
+    SideForces sides = scene.sides;
+    sides.right.fill(0.0);
+    setSides(scene, sides);
+    record.addScene(scene);
+    drive(0.15, 0.01);
+    const TrailHistory history = record.before(line);
+    EXPECT_EQ(history.ground[1].felt[6], kAllCells);
+    EXPECT_EQ(history.ground[2].felt[6], 0);
+}
+
+TEST_F(TrailRecordTest, AnUncertainHeightIsNotFelt)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    drive(0.1, 0.01);
+    const TrailHistory sure = record.before(line);
+    EXPECT_FALSE(feelsNothing(sure.ground[0]));
+    line.pitch = 0.3;  // the point that the robot turned about is not known
+    drive(0.02, 0.01);
+    line.pitch = 0.0;
+    drive(0.02, 0.01);
+    const TrailHistory unsure = record.before(line);
+    EXPECT_TRUE(feelsNothing(unsure.ground[0]));
+}
+
+TEST_F(TrailRecordTest, AnArmReadingMovesWithTheGround)
+{
+    drive(0.6);
+    const Measurement scene = press();
+    record.addScene(scene);
+    record.addArm(scene, {.bin = 10, .height = -0.5, .sd = 0.01, .side = ProbeSide::Left});
+    record.addArm(scene, {.bin = 10, .height = -0.4, .sd = 0.01, .side = ProbeSide::Left});
+    const TrailHistory none = record.before(scene);
+    EXPECT_EQ(none.ground[1].armSd[10], 0.0) << "a scene is no memory of itself";
+    drive(0.1, 0.01);
+    for (const std::size_t plane : {std::size_t{0}, std::size_t{1}}) {
+        const TrailHistory history = record.before(line);
+        const TrailGround& ground = history.ground[plane];
+        EXPECT_NEAR(ground.armHeight[9], -0.4, 1e-6) << "the later reading counts";
+        EXPECT_GT(ground.armSd[9], 0.01);
+        EXPECT_LT(ground.armSd[9], 0.02);
+        EXPECT_EQ(ground.felt[9], kAllCells);
+        EXPECT_EQ(ground.armSd[10], 0.0);
+    }
+    const TrailHistory other = record.before(line);
+    EXPECT_EQ(other.ground[2].armSd[9], 0.0) << "the right side was not probed";
+    drive(0.04, 0.01);
+    const TrailHistory beside = record.before(line);
+    const TrailGround& ground = beside.ground[1];
+    EXPECT_EQ(ground.felt[9], 0) << "the arm's point lies 0.04 m beside the bin's centre";
+    EXPECT_GT(ground.armSd[9], 0.014);
 }
 
 TEST_F(TrailRecordTest, RollLiftsTheGroundOfOneSide)

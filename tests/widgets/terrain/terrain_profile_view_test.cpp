@@ -179,6 +179,24 @@ TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
     }
 }
 
+TEST_F(TerrainView, rememberedGroundHasDotsAWordAndItsBar)
+{
+    TerrainEstimate felt = stepEstimate();
+    felt.touch.fill(Touch::Felt);
+    TerrainEstimate remembered = felt;
+    remembered.touch[7] = remembered.touch[8] = Touch::Remembered;
+    view.setEstimate(felt);
+    const QImage without = painted(*view.canvas());
+    view.setEstimate(remembered);
+    const QImage with = painted(*view.canvas());
+    EXPECT_NE(without, with);
+    for (const int bin : {7, 8}) {
+        EXPECT_TRUE(view.binText(bin).endsWith("remembered")) << view.binText(bin).toStdString();
+        EXPECT_NE(view.binText(bin).indexOf("80 %"), -1) << "its height is known";
+    }
+    EXPECT_TRUE(view.binText(9).endsWith("felt"));
+}
+
 TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
 {
     const auto marked = [&](double z) { return alike(colourAt(view, 0.63, z), theme().doubt); };

@@ -66,6 +66,65 @@ TEST(Touch, missingElementBetweenLoadsCountsAsLoaded)
     EXPECT_EQ(p.touch[7], Touch::Bounded);
 }
 
+std::vector<GroundStretch> stretchesOf(std::array<std::optional<double>, kForceElements> force)
+{
+    Proprioception s;
+    s.force = force;
+    return pressedStretches(absolem(), s);
+}
+
+TEST(Touch, stretchesReachFromElementToElement)
+{
+    const auto whole = stretchesOf({16.0, 10.0, 10.0, 10.0, 10.0, 5.0});
+    ASSERT_EQ(whole.size(), 1U);
+    EXPECT_NEAR(whole[0].from, 0.24, 0.01);  // the flippers' edge and kUnsensedWithin
+    EXPECT_NEAR(whole[0].to, 0.563, 0.002);
+    // The ground under the first element lies too low: it is felt from the second one on.
+    const auto later = stretchesOf({2.0, 10.0, 10.0, 10.0, 10.0, 5.0});
+    for (const GroundStretch& stretch : later) EXPECT_GT(stretch.from, 0.34);
+    EXPECT_TRUE(stretchesOf({0.0, 0.3, 0.2, 0.5, 0.8, 0.1}).empty()) << "a hovering flipper";
+    EXPECT_TRUE(stretchesOf({0.0, 0.0, 5.0, 58.0, 0.0, 0.0}).empty()) << "a point load";
+}
+
+TEST(Touch, everyFeltBinLiesWithinItsStretch)
+{
+    const std::array<std::optional<double>, kForceElements> force{16.0, 10.0, 10.0,
+                                                                  10.0, 10.0, 5.0};
+    const FeltCells cells = cellsOf(stretchesOf(force));
+    const PressedBins p = pressedBy(force);
+    for (std::size_t bin = 6; bin < kBins; ++bin)
+        EXPECT_EQ(cells[bin] == kAllCells, p.touch[bin] == Touch::Felt) << bin;
+}
+
+TEST(Touch, cellsLieWithinOneStretch)
+{
+    const FeltCells cells = cellsOf({{0.255, 0.283}, {0.283, 0.36}});
+    // 0.26 … 0.28 in the first stretch, 0.29 … 0.35 in the second; the border's cell in neither
+    EXPECT_EQ(cells[6], 0b1111110110);
+    EXPECT_EQ(cells[7], 0b0000000001);
+    EXPECT_EQ(cells[5], 0);
+}
+
+TEST(Touch, earlierAndPresentPressMakeABinRemembered)
+{
+    TerrainEstimate e;
+    e.touch.fill(Touch::Bounded);
+    e.touch[7] = Touch::Felt;
+    FeltCells earlier{}, now{};
+    earlier[5] = earlier[7] = earlier[9] = kAllCells;
+    earlier[6] = 0b0000011111;
+    now[6] = 0b1111110000;
+    now[8] = kAllCells;
+    earlier[10] = kAllCells >> 1U;
+    addRemembered(e, earlier, now);
+    EXPECT_EQ(e.touch[5], Touch::Bounded) << "behind the flippers it decides nothing";
+    EXPECT_EQ(e.touch[6], Touch::Remembered);
+    EXPECT_EQ(e.touch[7], Touch::Felt);
+    EXPECT_EQ(e.touch[8], Touch::Bounded) << "nothing was felt earlier";
+    EXPECT_EQ(e.touch[9], Touch::Remembered);
+    EXPECT_EQ(e.touch[10], Touch::Bounded) << "a cell is missing";
+}
+
 TEST(Touch, armAndTracksMakeBinsFelt)
 {
     TerrainEstimate e;
