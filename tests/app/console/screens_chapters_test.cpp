@@ -63,7 +63,7 @@ const std::vector<Chapter>& chapters()
          {"review", "review_events", "what_if", "what_if_by_another_method",
           "review_letters_200_percent_page_robot", "export", "export_written", "review_has_no_stop",
           "review_with_the_stop_of_its_console"}},
-        {"scenes", {"scenes", "scenes_keys"}},
+        {"scenes", {"scenes", "scenes_keys", "scenes_list"}},
     };
     return kChapters;
 }
