@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/console/history_control.h"
 #include "app/console/main_window.h"
 #include "app/pages/side_keys.h"
 #include "app/shell/key_table.h"
@@ -152,6 +153,12 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->restoreResult(); },
                   Needs::ViewState)});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_H)},
+              MainWindow::tr("list the estimates of this run"),
+              [&window] { window.history().open(); }});
+    keys.add({{Qt::Key_Backspace},
+              MainWindow::tr("show the present estimate in the picture again"),
+              [&window] { window.history().showPresent(); }});
 }
 
 }  // namespace terratact

@@ -13,6 +13,7 @@
 #include "app/console/console_keys.h"
 #include "app/console/gamepad_control.h"
 #include "app/console/gamepad_page.h"
+#include "app/console/history_control.h"
 #include "app/console/live_plots.h"
 #include "app/console/profile_menu.h"
 #include "app/console/replay_bar.h"
@@ -85,6 +86,7 @@ MainWindow::MainWindow(Options options)
     offerQualities();
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
     viewButton()->setMenu(profileMenu_);
+    addHistory();
     defineKeys();
     for (const Message& trouble : preferences_->troubles()) log(trouble, EventSeverity::Warning);
     look_.setInterval(kLook);
@@ -274,7 +276,6 @@ void MainWindow::connectExploration()
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
     connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
     connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
-    connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
     connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideWarnings);
     connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
@@ -366,20 +367,6 @@ void MainWindow::showWhyNot(const Message& text)
 {
     log(text, EventSeverity::Warning);
     notice_->show(translated(text), steadyNow());
-}
-
-void MainWindow::askProbe()
-{
-    const auto best = exploration_->bestProbe();
-    if (const auto selected = terrain()->selectedPlace())
-        exploration_->askProbe(*selected);
-    else if (best)
-        exploration_->askProbe({best->bin, best->side});
-    else if (const auto why = exploration_->whyNotOffered())
-        log(*why, EventSeverity::Warning);
-    else
-        log(TR_NOOP("terratact::MainWindow", "no bin is selected: point at a bin first"),
-            EventSeverity::Warning);
 }
 
 void MainWindow::defineKeys()

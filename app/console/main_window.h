@@ -54,6 +54,7 @@ class SettingsPage;
 class SignalsPage;
 class NumbersPage;
 class PlotsPage;
+class HistoryControl;
 class ProfileMenu;
 class TrainingPage;
 
@@ -118,6 +119,7 @@ public:
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
     PlotsPage* plotsPage() const;
+    HistoryControl& history() const { return *history_; }
 
 signals:
     /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded from here was ended.
@@ -155,6 +157,9 @@ private:
     void connectStop();
     void addTraining(const Options& options);
     void addGamepad(std::unique_ptr<Gamepad> gamepad);
+    void addHistory();
+    bool asksInPast();
+    void showHistory(TerrainViewState& viewState);
     /// frozen: the window has just been frozen, so the gamepad must be released first.
     void pollGamepad(double now, bool frozen);
     void addWindowKeys(KeyTable& keys);
@@ -188,6 +193,7 @@ private:
     std::unique_ptr<ModelChoice> models_;
     std::unique_ptr<PanelControl> panel_;      ///< may be null
     std::unique_ptr<GamepadControl> gamepad_;  ///< may be null
+    std::unique_ptr<HistoryControl> history_;
     std::unique_ptr<LinkStatus> linkStatus_;
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<StopDisplay> stopDisplay_;
@@ -213,7 +219,8 @@ private:
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;
-    QLabel* panelLost_ = nullptr;  ///< a banner
+    QLabel* panelLost_ = nullptr;        ///< a banner
+    ElidedLabel* pastBanner_ = nullptr;  ///< made at first use
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
     SettingsFilesWindow* settingsFiles_ = nullptr;  ///< null until it is first asked for

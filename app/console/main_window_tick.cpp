@@ -121,6 +121,7 @@ void MainWindow::showTerrain()
     viewState.numbersDue = now - numbersShown_ >= kNumbers;
     viewState.numbersFor = kNumbers + kStaleRedraw;
     if (viewState.numbersDue) numbersShown_ = now;
+    showHistory(viewState);
     terrainPage_->setViewState(viewState);
     soundContact(terrainPage_->driveStrip()->viewState().contact.value_or(FlipperContacts{}),
                  viewState.measurement);

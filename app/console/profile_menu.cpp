@@ -18,6 +18,13 @@ ProfileMenu::ProfileMenu(TerrainProfileView& view, Exploration& exploration, QWi
     addSideChoice(*this, view);
     addSeparator();
     offerSecondMethods(exploration);
+    addSeparator();
+    connect(addAction(tr("Estimates of this run … (Ctrl+H)")), &QAction::triggered, this,
+            &ProfileMenu::historyWanted);
+    restore_ = addAction(tr("Restore the hidden estimate (Ctrl+Z)"));
+    connect(restore_, &QAction::triggered, &exploration, &Exploration::restoreResult);
+    connect(this, &QMenu::aboutToShow, this,
+            [this, &exploration] { restore_->setEnabled(exploration.canRestore()); });
 }
 
 void ProfileMenu::offerSecondMethods(Exploration& exploration)

@@ -15,10 +15,14 @@ public:
 
     QAction& draws() const { return *draws_; }  ///< toggles the draws
 
+signals:
+    void historyWanted();  ///< the list of estimates is asked for
+
 private:
     void offerSecondMethods(Exploration& exploration);
 
     QAction* draws_;
+    QAction* restore_;
 };
 
 }  // namespace terratact

@@ -51,6 +51,17 @@ struct DrawnEstimate {
     }
 };
 
+/// An estimate of the past that is drawn instead of the present one. It changes the picture alone; null: none.
+struct PastDrawing {
+    DrawnEstimate estimate{};
+    const Measurement* scene = nullptr;
+    const std::optional<Heights>* truth = nullptr;
+    const std::optional<std::array<Heights, 2>>* sideTruth = nullptr;  ///< left, right
+    QString note{};  ///< says that it is not the present one
+
+    explicit operator bool() const { return estimate.operator bool(); }
+};
+
 /// State of robot and exploration at one time, as shown by the page. Pointers are used during setViewState() only;
 /// null: no value.
 struct TerrainViewState {
@@ -80,6 +91,7 @@ struct TerrainViewState {
     DrawnEstimate second{};        ///< estimate by a second method
     QString secondName{};
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate
+    PastDrawing past{};    ///< drawn instead of `estimate`
     QString whyNoEstimate{};
     SeenStrip remembered{};          ///< ground that was felt along the way
     QString whyNothingRemembered{};  ///< reason that nothing is; empty: none to show
@@ -174,6 +186,7 @@ private:
     void showAge(const TerrainViewState& viewState);
     void showEstimate(const TerrainViewState& viewState);
     void showPreview(const TerrainViewState& viewState);
+    bool showPast(const TerrainViewState& viewState);
     void showPose(const TerrainViewState& viewState);
     void showVerdict(const TerrainViewState& viewState);
     void showProbe(const TerrainViewState& viewState);
@@ -216,6 +229,7 @@ private:
     std::uint64_t driveCount_ = 0;  ///< TerrainViewState::count of their last line
     std::uint64_t shownCount_ = 0;
     std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
+    std::optional<std::uint64_t> shownPast_;  ///< revision; empty: the present is drawn
     QString shownReason_;
     bool shownEstimate_ = false;
     std::optional<Heights> planeTruth_;

@@ -118,7 +118,7 @@ void TerrainPage::showContacts(const TerrainViewState& viewState)
     using enum RobotActivity;
     const Measurement* const m = viewState.measurement;
     const bool moves = m && (m->activity == Driving || m->activity == Pressing);
-    marksContacts_ = moves || !viewState.estimate;
+    marksContacts_ = !viewState.past && (moves || !viewState.estimate);
     drawContacts();
 }
 

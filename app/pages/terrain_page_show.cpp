@@ -250,8 +250,29 @@ void TerrainPage::showForcesAge(const TerrainViewState& viewState)
     showThreshold();
 }
 
+/// Draws an estimate of the past, with nothing of the present beside it. Returns false if none is to be drawn.
+bool TerrainPage::showPast(const TerrainViewState& viewState)
+{
+    constexpr std::uint64_t kNoRevision = ~std::uint64_t{0};
+    const auto past = viewState.past.estimate.shown();
+    if (std::exchange(shownPast_, past) != past) {
+        shown_ = kNoRevision;  // the present is drawn anew afterwards
+        shownLive_ = shownSecond_ = std::nullopt;
+        shownCount_ = 0;
+        terrain_->setSecond(std::nullopt, {});
+        terrain_->setRemembered({}, {});
+        if (past) {
+            terrain_->setEstimate(*viewState.past.estimate, viewState.past.note);
+            strip_->setNothing(tr("an estimate of the past"));
+        }
+    }
+    shownEstimate_ = viewState.estimate && !viewState.live;
+    return past.has_value();
+}
+
 void TerrainPage::showEstimate(const TerrainViewState& viewState)
 {
+    if (showPast(viewState)) return;
     const auto estimate = viewState.estimate.shown();
     const auto second = viewState.second.shown();
     if (viewState.live) {
@@ -295,19 +316,25 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
 
 void TerrainPage::showPose(const TerrainViewState& viewState)
 {
+    const PastDrawing& past = viewState.past;
     if (!viewState.measurement || viewState.count == shownCount_) return;
-    // The estimate belongs to its scene, so both are drawn in the scene's pose.
-    posed_ = viewState.scene ? *viewState.scene : *viewState.measurement;
-    const TwoTrackEstimate* const estimate =
-        viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
+    // An estimate belongs to its scene, so both are drawn in the scene's pose.
+    const Measurement* const scene = past ? past.scene : viewState.scene;
+    posed_ = scene ? *scene : *viewState.measurement;
+    const TwoTrackEstimate* const estimate = past           ? past.estimate.estimate
+                                           : viewState.live ? viewState.live.estimate
+                                                            : viewState.estimate.estimate;
     isOnePlane_ = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(*posed_));
     showOutlines();
-    const std::optional<Heights>* const truth =
-        viewState.scene ? viewState.sceneTruth : viewState.truth;
+    const std::optional<Heights>* const truth = past            ? past.truth
+                                              : viewState.scene ? viewState.sceneTruth
+                                                                : viewState.truth;
+    const auto* const sideTruth = past            ? past.sideTruth
+                                : viewState.scene ? viewState.sceneSideTruth
+                                                  : nullptr;
     // The means of both sides are those of neither.
     planeTruth_ = truth && isOnePlane_ ? *truth : std::nullopt;
-    sideTruth_ =
-        viewState.scene && viewState.sceneSideTruth ? *viewState.sceneSideTruth : std::nullopt;
+    sideTruth_ = sideTruth ? *sideTruth : std::nullopt;
     showTruth();
     shownCount_ = viewState.count;
 }
@@ -376,7 +403,9 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     layout_->setProposes(needed);
     // With a large font the proposal takes the room; the robot stands still meanwhile.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
-    terrain_->setArmTip(armTipOf(viewState, asking && !firstMissing(viewState.probing)));
+    terrain_->setArmTip(viewState.past
+                            ? std::nullopt
+                            : armTipOf(viewState, asking && !firstMissing(viewState.probing)));
     if (asking) {
         ProbeProposal proposal = *viewState.proposal;
         if (viewState.verdict && proposal.stepLimit == verdict_->limit())

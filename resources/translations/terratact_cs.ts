@@ -599,6 +599,49 @@
     </message>
 </context>
 <context>
+    <name>PastText</name>
+    <message>
+        <source>no verdict</source>
+        <translation>bez verdiktu</translation>
+    </message>
+    <message>
+        <source>%1 for steps above %2 m</source>
+        <translation>%1 pro schody nad %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for steps above %2 m (left %3, right %4)</source>
+        <translation>%1 pro schody nad %2 m (vlevo %3, vpravo %4)</translation>
+    </message>
+    <message>
+        <source>press and probe, method %1</source>
+        <translation>přitlačení a sonda, metoda %1</translation>
+    </message>
+    <message>
+        <source>press, method %1</source>
+        <translation>přitlačení, metoda %1</translation>
+    </message>
+    <message>
+        <source>error %1 m against the truth</source>
+        <translation>chyba %1 m proti skutečnosti</translation>
+    </message>
+    <message>
+        <source>error left %1 m, right %2 m against the truth</source>
+        <translation>chyba vlevo %1 m, vpravo %2 m proti skutečnosti</translation>
+    </message>
+    <message>
+        <source>error %1 m %2, measured later by the arm</source>
+        <translation>chyba %1 m %2, později změřeno ramenem</translation>
+    </message>
+    <message>
+        <source>error not known</source>
+        <translation>chyba není známa</translation>
+    </message>
+    <message>
+        <source>shown: estimate of %1, not the present one</source>
+        <translation>zobrazen odhad z %1, ne současný</translation>
+    </message>
+</context>
+<context>
     <name>Place</name>
     <message>
         <source>L</source>
@@ -6554,6 +6597,100 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::HistoryControl</name>
+    <message>
+        <source>the picture shows the estimate of %1, not the present one</source>
+        <translation>obraz ukazuje odhad z %1, ne současný</translation>
+    </message>
+    <message>
+        <source>the picture shows the present estimate again</source>
+        <translation>obraz znovu ukazuje současný odhad</translation>
+    </message>
+    <message>
+        <source>Dashed in the picture: the past estimate of %1. Backspace takes it away</source>
+        <translation>Čárkovaně v obraze: minulý odhad z %1. Backspace jej odebere</translation>
+    </message>
+    <message>
+        <source>The picture shows the estimate of %1, not the present one. Backspace: the present</source>
+        <translation>Obraz ukazuje odhad z %1, ne současný. Backspace: současný</translation>
+    </message>
+    <message>
+        <source>past: estimate of %1</source>
+        <translation>minulý: odhad z %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::HistoryWindow</name>
+    <message>
+        <source>Present estimate (Backspace)</source>
+        <translation>Současný odhad (Backspace)</translation>
+    </message>
+    <message>
+        <source>Restore (Ctrl+Z)</source>
+        <translation>Obnovit (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Estimates of this run</source>
+        <translation>Odhady tohoto běhu</translation>
+    </message>
+    <message>
+        <source>Estimates, newest first</source>
+        <translation>Odhady, nejnovější první</translation>
+    </message>
+    <message>
+        <source>The picture shows the present estimate again</source>
+        <translation>Obraz znovu ukáže současný odhad</translation>
+    </message>
+    <message>
+        <source>Brings the hidden estimate back while the robot has not moved</source>
+        <translation>Vrátí skrytý odhad, dokud se robot nepohnul</translation>
+    </message>
+    <message>
+        <source>%1 · number %2</source>
+        <translation>%1 · číslo %2</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>současný</translation>
+    </message>
+    <message>
+        <source>hidden by the operator</source>
+        <translation>skryt operátorem</translation>
+    </message>
+    <message>
+        <source>restored, from before</source>
+        <translation>obnoven, z dřívějška</translation>
+    </message>
+    <message>
+        <source>No estimate yet. The last %1 of this run are kept.</source>
+        <translation>Zatím žádný odhad. Uchovává se posledních %1 z tohoto běhu.</translation>
+    </message>
+    <message>
+        <source>The estimate of %1 lies over the present one, in the robot&apos;s frame of that time.</source>
+        <translation>Odhad z %1 leží přes současný, v souřadnicích robotu z té doby.</translation>
+    </message>
+    <message>
+        <source>The picture shows the present. Choose an estimate to see it; the verdict stays that of the present.</source>
+        <translation>Obraz ukazuje současnost. Vyberte odhad k zobrazení; verdikt zůstává současný.</translation>
+    </message>
+    <message>
+        <source>Take it away (L)</source>
+        <translation>Odebrat (L)</translation>
+    </message>
+    <message>
+        <source>Lay over the present (L)</source>
+        <translation>Položit přes současný (L)</translation>
+    </message>
+    <message>
+        <source>Draws it as a lighter profile over the present one</source>
+        <translation>Nakreslí jej jako světlejší profil přes současný</translation>
+    </message>
+    <message>
+        <source>Choose an estimate first</source>
+        <translation>Nejprve vyberte odhad</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>model loading …</source>
@@ -6838,6 +6975,18 @@ F1</translation>
     <message>
         <source>The robot is moving: wait until it stands</source>
         <translation>Robot se pohybuje: počkejte, až zastaví</translation>
+    </message>
+    <message>
+        <source>list the estimates of this run</source>
+        <translation>seznam odhadů tohoto běhu</translation>
+    </message>
+    <message>
+        <source>show the present estimate in the picture again</source>
+        <translation>znovu ukázat v obraze současný odhad</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: the picture shows an estimate of the past</source>
+        <translation>sonda není vyžádána: obraz ukazuje minulý odhad</translation>
     </message>
 </context>
 <context>
@@ -7542,6 +7691,14 @@ F1</translation>
     <message>
         <source>none</source>
         <translation>žádná</translation>
+    </message>
+    <message>
+        <source>Estimates of this run … (Ctrl+H)</source>
+        <translation>Odhady tohoto běhu … (Ctrl+H)</translation>
+    </message>
+    <message>
+        <source>Restore the hidden estimate (Ctrl+Z)</source>
+        <translation>Obnovit skrytý odhad (Ctrl+Z)</translation>
     </message>
 </context>
 <context>
@@ -9994,6 +10151,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>probe %1: no gain</source>
         <translation>sonda %1: bez zisku</translation>
+    </message>
+    <message>
+        <source>an estimate of the past</source>
+        <translation>minulý odhad</translation>
     </message>
 </context>
 <context>

@@ -599,6 +599,49 @@
     </message>
 </context>
 <context>
+    <name>PastText</name>
+    <message>
+        <source>no verdict</source>
+        <translation>kein Urteil</translation>
+    </message>
+    <message>
+        <source>%1 for steps above %2 m</source>
+        <translation>%1 für Stufen über %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for steps above %2 m (left %3, right %4)</source>
+        <translation>%1 für Stufen über %2 m (links %3, rechts %4)</translation>
+    </message>
+    <message>
+        <source>press and probe, method %1</source>
+        <translation>Andrücken und Sondieren, Methode %1</translation>
+    </message>
+    <message>
+        <source>press, method %1</source>
+        <translation>Andrücken, Methode %1</translation>
+    </message>
+    <message>
+        <source>error %1 m against the truth</source>
+        <translation>Fehler %1 m gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>error left %1 m, right %2 m against the truth</source>
+        <translation>Fehler links %1 m, rechts %2 m gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>error %1 m %2, measured later by the arm</source>
+        <translation>Fehler %1 m %2, später vom Arm gemessen</translation>
+    </message>
+    <message>
+        <source>error not known</source>
+        <translation>Fehler nicht bekannt</translation>
+    </message>
+    <message>
+        <source>shown: estimate of %1, not the present one</source>
+        <translation>gezeigt: Schätzung von %1, nicht die jetzige</translation>
+    </message>
+</context>
+<context>
     <name>Place</name>
     <message>
         <source>L</source>
@@ -6554,6 +6597,100 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::HistoryControl</name>
+    <message>
+        <source>the picture shows the estimate of %1, not the present one</source>
+        <translation>das Bild zeigt die Schätzung von %1, nicht die jetzige</translation>
+    </message>
+    <message>
+        <source>the picture shows the present estimate again</source>
+        <translation>das Bild zeigt wieder die jetzige Schätzung</translation>
+    </message>
+    <message>
+        <source>Dashed in the picture: the past estimate of %1. Backspace takes it away</source>
+        <translation>Gestrichelt im Bild: die frühere Schätzung von %1. Backspace nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>The picture shows the estimate of %1, not the present one. Backspace: the present</source>
+        <translation>Das Bild zeigt die Schätzung von %1, nicht die jetzige. Backspace: die jetzige</translation>
+    </message>
+    <message>
+        <source>past: estimate of %1</source>
+        <translation>früher: Schätzung von %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::HistoryWindow</name>
+    <message>
+        <source>Present estimate (Backspace)</source>
+        <translation>Jetzige Schätzung (Backspace)</translation>
+    </message>
+    <message>
+        <source>Restore (Ctrl+Z)</source>
+        <translation>Zurückholen (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Estimates of this run</source>
+        <translation>Schätzungen dieses Laufs</translation>
+    </message>
+    <message>
+        <source>Estimates, newest first</source>
+        <translation>Schätzungen, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>The picture shows the present estimate again</source>
+        <translation>Das Bild zeigt wieder die jetzige Schätzung</translation>
+    </message>
+    <message>
+        <source>Brings the hidden estimate back while the robot has not moved</source>
+        <translation>Holt die ausgeblendete Schätzung zurück, solange der Roboter sich nicht bewegt hat</translation>
+    </message>
+    <message>
+        <source>%1 · number %2</source>
+        <translation>%1 · Nummer %2</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>jetzige</translation>
+    </message>
+    <message>
+        <source>hidden by the operator</source>
+        <translation>vom Bediener ausgeblendet</translation>
+    </message>
+    <message>
+        <source>restored, from before</source>
+        <translation>zurückgeholt, von vorher</translation>
+    </message>
+    <message>
+        <source>No estimate yet. The last %1 of this run are kept.</source>
+        <translation>Noch keine Schätzung. Die letzten %1 dieses Laufs werden behalten.</translation>
+    </message>
+    <message>
+        <source>The estimate of %1 lies over the present one, in the robot&apos;s frame of that time.</source>
+        <translation>Die Schätzung von %1 liegt über der jetzigen, im Bezugssystem des Roboters von damals.</translation>
+    </message>
+    <message>
+        <source>The picture shows the present. Choose an estimate to see it; the verdict stays that of the present.</source>
+        <translation>Das Bild zeigt die Gegenwart. Wählen Sie eine Schätzung, um sie zu sehen; das Urteil bleibt das jetzige.</translation>
+    </message>
+    <message>
+        <source>Take it away (L)</source>
+        <translation>Wegnehmen (L)</translation>
+    </message>
+    <message>
+        <source>Lay over the present (L)</source>
+        <translation>Über die jetzige legen (L)</translation>
+    </message>
+    <message>
+        <source>Draws it as a lighter profile over the present one</source>
+        <translation>Zeichnet sie als helleres Profil über die jetzige</translation>
+    </message>
+    <message>
+        <source>Choose an estimate first</source>
+        <translation>Wählen Sie zuerst eine Schätzung</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>model loading …</source>
@@ -6838,6 +6975,18 @@ F1</translation>
     <message>
         <source>The robot is moving: wait until it stands</source>
         <translation>Der Roboter bewegt sich: warten, bis er steht</translation>
+    </message>
+    <message>
+        <source>list the estimates of this run</source>
+        <translation>Schätzungen dieses Laufs auflisten</translation>
+    </message>
+    <message>
+        <source>show the present estimate in the picture again</source>
+        <translation>wieder die jetzige Schätzung im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>no probe is asked for: the picture shows an estimate of the past</source>
+        <translation>keine Sondierung verlangt: das Bild zeigt eine frühere Schätzung</translation>
     </message>
 </context>
 <context>
@@ -7542,6 +7691,14 @@ F1</translation>
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>Estimates of this run … (Ctrl+H)</source>
+        <translation>Schätzungen dieses Laufs … (Ctrl+H)</translation>
+    </message>
+    <message>
+        <source>Restore the hidden estimate (Ctrl+Z)</source>
+        <translation>Ausgeblendete Schätzung zurückholen (Ctrl+Z)</translation>
     </message>
 </context>
 <context>
@@ -9994,6 +10151,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>probe %1: no gain</source>
         <translation>Sondierung %1: kein Gewinn</translation>
+    </message>
+    <message>
+        <source>an estimate of the past</source>
+        <translation>eine frühere Schätzung</translation>
     </message>
 </context>
 <context>

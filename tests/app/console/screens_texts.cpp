@@ -46,7 +46,7 @@ bool isSameEverywhere(const std::string& text)
         "terratact (simulate|train) "
         ".*|[Mm]odel|[Gg]amepad|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
-        "\\b(Ctrl|Alt|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
+        "\\b(Ctrl|Alt|PgUp|PgDown|Home|End|Esc|Del|Backspace)\\b|"  // key names of these languages
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
         // texts of the system and of substitute drivers
