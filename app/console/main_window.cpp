@@ -167,6 +167,7 @@ void MainWindow::addPages(const Options& options)
     settings_ = new SettingsPage(*preferences_, this);
     connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::applyRobot);
     connect(settings_, &SettingsPage::filesWanted, this, &MainWindow::showSettingsFiles);
+    connect(settings_, &SettingsPage::connectWanted, this, &MainWindow::showConnect);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     gamepadPage_ = new GamepadPage(*preferences_, this);
     const QString source = format::sourceName(source_->name());

@@ -49,6 +49,8 @@ class SessionEventLogger;
 class ArmingControl;
 class GamepadControl;
 class GamepadPage;
+class ConnectWindow;
+struct ConnectionWish;
 class SettingsFilesWindow;
 class SettingsPage;
 class SignalsPage;
@@ -103,6 +105,7 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     SettingsFilesWindow* settingsFiles() const { return settingsFiles_; }
+    ConnectWindow* connectWindow() const { return connectWindow_; }
     TrainingPage* training() const { return training_; }
     GamepadPage* gamepadPage() const { return gamepadPage_; }
     VerdictStrip* verdict() const { return terrainPage_->verdict(); }
@@ -124,6 +127,8 @@ public:
 signals:
     /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded from here was ended.
     void reopenWanted();
+    /// The console is to be connected anew. Motion commanded from here was ended.
+    void connectionWanted(const terratact::ConnectionWish& wish);
 
 protected:
     /// The window of an armed robot closes only after a second request, or by a signal.
@@ -165,6 +170,7 @@ private:
     void addWindowKeys(KeyTable& keys);
     void open();
     void showSettingsFiles();
+    void showConnect();
     std::optional<Message> whyNotChangingAll() const;
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
@@ -223,6 +229,7 @@ private:
     ElidedLabel* pastBanner_ = nullptr;  ///< made at first use
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
+    ConnectWindow* connectWindow_ = nullptr;        ///< null until it is first asked for
     SettingsFilesWindow* settingsFiles_ = nullptr;  ///< null until it is first asked for
     GamepadPage* gamepadPage_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;

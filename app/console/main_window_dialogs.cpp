@@ -1,7 +1,10 @@
 // Windows that the console's window opens.
+#include "app/console/connect_window.h"
 #include "app/console/main_window.h"
 #include "app/console/settings_files_window.h"
 #include "app/console/settings_page.h"
+#include "app/display/format.h"
+#include "app/recording/session_folder.h"
 #include "app/sessions/open_recording.h"
 #include "app/shell/key_table.h"
 #include "app/shell/open_file.h"
@@ -16,6 +19,9 @@ void MainWindow::addWindowKeys(KeyTable& keys)
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Comma)},
               tr("profiles, export and import of settings"),
               [this] { showSettingsFiles(); }});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_L)},
+              tr("connect to a bus, the simulated robot, a log or a session"),
+              [this] { showConnect(); }});
 }
 
 void MainWindow::open()
@@ -40,6 +46,29 @@ std::optional<Message> MainWindow::whyNotChangingAll() const
     if (!replayBar_ && moment_.latest && moves(moment_.latest->sample.measurement.activity))
         return TR_NOOP("terratact::MainWindow", "The robot is moving: wait until it stands");
     return std::nullopt;
+}
+
+void MainWindow::showConnect()
+{
+    if (!connectWindow_) {
+        const std::string sessions = recorder_ ? recorder_->folder() : sessionFolder();
+        connectWindow_ = new ConnectWindow({.inUse = format::sourceName(source_->name()),
+                                            .whyNot = [this] { return whyNotChangingAll(); },
+                                            .sessions = QString::fromStdString(sessions)},
+                                           this);
+        connect(connectWindow_, &ConnectWindow::connectionWanted, this,
+                [this](const ConnectionWish& wish) {
+                    leave();
+                    emit connectionWanted(wish);
+                });
+        connect(connectWindow_, &ConnectWindow::fileWanted, this, [this](const QString& path) {
+            openInAnotherWindow(path, sharedStop_->line(), notOpened());
+        });
+        putBelowHeader(*connectWindow_);
+    }
+    connectWindow_->show();
+    connectWindow_->raise();
+    connectWindow_->activateWindow();
 }
 
 void MainWindow::showSettingsFiles()

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/console/connect_window.h"
 #include "app/console/demo.h"
 #include "app/console/main_window.h"
 #include "app/console/robot_connection.h"
@@ -28,6 +29,8 @@ constexpr int kReopen = 1000;  // never an exit code
 struct Lasting {
     std::optional<Preferences> inForce;  ///< preferences of the previous window; empty: none
     std::optional<SessionRetention> house;
+    std::optional<ConsoleOptions> former;  ///< before the operator asked for another robot
+    std::optional<Message> trouble;        ///< why that was not connected
 };
 
 struct Chosen {
@@ -148,8 +151,18 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     QTimer::singleShot(0, house, &SessionRetention::start);
 }
 
-/// Opens one window; returns kReopen to request another.
-Result<int> openOnce(Application& application, const ConsoleOptions& options, Lasting& lasting)
+/// Returns the options of a start with another robot.
+ConsoleOptions connectedTo(ConsoleOptions options, const ConnectionWish& wish)
+{
+    options.can = wish.can;
+    options.transmit = wish.transmit;
+    options.replay.clear();
+    options.interface.clear();
+    return options;
+}
+
+/// Opens one window; returns kReopen to request another, of the options that it leaves.
+Result<int> openOnce(Application& application, ConsoleOptions& options, Lasting& lasting)
 {
     auto chosen = choose(options, lasting.inForce);
     if (!chosen) return chosen.error();
@@ -178,6 +191,15 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
     QObject::connect(
         &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
         Qt::QueuedConnection);
+    QObject::connect(
+        &window, &MainWindow::connectionWanted, &window,
+        [&](const ConnectionWish& wish) {
+            lasting.former = std::exchange(options, connectedTo(options, wish));
+            QApplication::exit(kReopen);
+        },
+        Qt::QueuedConnection);
+    lasting.former.reset();
+    if (lasting.trouble) window.showWhyNot(*std::exchange(lasting.trouble, std::nullopt));
     showWindow(window, options, window.preferences().current().window);
     keepHouse(lasting, std::move(earlier), sessionsOf(options), window);
     std::optional<ScreenshotDemo> screenshot;
@@ -192,8 +214,15 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
 Result<int> openConsole(Application& application, const ConsoleOptions& options)
 {
     Lasting lasting;
+    ConsoleOptions now = options;
     for (;;) {
-        auto ended = openOnce(application, options, lasting);
+        auto ended = openOnce(application, now, lasting);
+        if (!ended && lasting.former) {  // back to what worked, with the reason
+            lasting.trouble =
+                Message(TR_NOOP("OpenConsole", "not connected: %1"), ended.error().message);
+            now = *std::exchange(lasting.former, std::nullopt);
+            continue;
+        }
         if (!ended || *ended != kReopen) return ended;
     }
 }

@@ -326,6 +326,10 @@ QWidget* SettingsPage::buildFiles()
     file(0, tr("Model"), model_, chooseModel_, shippedModel_);
     file(1, tr("Robot"), robot_, chooseRobot_, shippedRobot_);
     card->body()->addLayout(grid);
+    auto* connects = new QPushButton(tr("Connect to a bus, log or session …"), card);
+    setTip(*connects, tr("What can be connected, what is wrong and what mends it (Ctrl+L)"));
+    connect(connects, &QPushButton::clicked, this, &SettingsPage::connectWanted);
+    card->body()->addWidget(connects, 0, Qt::AlignLeft);
     connect(chooseModel_, &QPushButton::clicked, this, [this] {
         askForFile(
             *this,

@@ -52,6 +52,7 @@ public:
 signals:
     void robotChosen(const QString& path);  ///< a robot file that needs a rebuilt window
     void filesWanted();                     ///< profiles, export and import
+    void connectWanted();                   ///< to another robot, log or session
 
 private:
     void buildEstimate(QFormLayout* form);

@@ -433,6 +433,13 @@
     </message>
 </context>
 <context>
+    <name>OpenConsole</name>
+    <message>
+        <source>not connected: %1</source>
+        <translation>nepřipojeno: %1</translation>
+    </message>
+</context>
+<context>
     <name>OpenFile</name>
     <message>
         <source>Open</source>
@@ -5497,6 +5504,129 @@ Poslední deaktivace: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ConnectWindow</name>
+    <message>
+        <source>can be used</source>
+        <translation>lze použít</translation>
+    </message>
+    <message>
+        <source>can be used, see below</source>
+        <translation>lze použít, viz níže</translation>
+    </message>
+    <message>
+        <source>cannot be used, see below</source>
+        <translation>nelze použít, viz níže</translation>
+    </message>
+    <message>
+        <source>mends it: %1</source>
+        <translation>spraví to: %1</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Připojit</translation>
+    </message>
+    <message>
+        <source>In use: %1</source>
+        <translation>V provozu: %1</translation>
+    </message>
+    <message>
+        <source>What to work with</source>
+        <translation>S čím pracovat</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Co se zjistilo</translation>
+    </message>
+    <message>
+        <source>This console may send commands on that bus</source>
+        <translation>Tato konzola smí na sběrnici posílat povely</translation>
+    </message>
+    <message>
+        <source>Without it, the console only listens; like --transmit at the start</source>
+        <translation>Bez toho konzola jen poslouchá; jako --transmit při startu</translation>
+    </message>
+    <message>
+        <source>Why it is not connected</source>
+        <translation>Proč není připojeno</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Podívat se znovu</translation>
+    </message>
+    <message>
+        <source>Looks at the CAN interfaces of this computer again</source>
+        <translation>Podívá se znovu na rozhraní CAN tohoto počítače</translation>
+    </message>
+    <message>
+        <source>Simulated robot in this program</source>
+        <translation>Simulovaný robot v tomto programu</translation>
+    </message>
+    <message>
+        <source>CAN bus %1 — %2</source>
+        <translation>Sběrnice CAN %1 — %2</translation>
+    </message>
+    <message>
+        <source>Log to replay, in a window of its own</source>
+        <translation>Záznam k přehrání, ve vlastním okně</translation>
+    </message>
+    <message>
+        <source>Session to review, in a window of its own</source>
+        <translation>Relace k prohlédnutí, ve vlastním okně</translation>
+    </message>
+    <message>
+        <source>This interface cannot be used: mend it first, then look again</source>
+        <translation>Toto rozhraní nelze použít: nejdřív je spravte, pak se podívejte znovu</translation>
+    </message>
+    <message>
+        <source>✔ Needs no hardware. Its ground is the one that the console was started with</source>
+        <translation>✔ Nepotřebuje hardware. Jeho terén je ten, se kterým konzola začala</translation>
+    </message>
+    <message>
+        <source>Logs of candump, Vector (.asc), PEAK (.trc), GVRET and python-can, also packed by gzip</source>
+        <translation>Záznamy candump, Vector (.asc), PEAK (.trc), GVRET a python-can, i zabalené gzip</translation>
+    </message>
+    <message>
+        <source>Choose a log …</source>
+        <translation>Zvolit záznam …</translation>
+    </message>
+    <message>
+        <source>Recordings of this console (.tts), in %1</source>
+        <translation>Záznamy této konzoly (.tts), v %1</translation>
+    </message>
+    <message>
+        <source>Choose a session …</source>
+        <translation>Zvolit relaci …</translation>
+    </message>
+    <message>
+        <source>Opens the console anew with it (Return)</source>
+        <translation>Otevře konzolu znovu s tím (Return)</translation>
+    </message>
+    <message>
+        <source>Session to review</source>
+        <translation>Relace k prohlédnutí</translation>
+    </message>
+    <message>
+        <source>Log to replay</source>
+        <translation>Záznam k přehrání</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tts)</source>
+        <translation>Relace (*.tts)</translation>
+    </message>
+    <message>
+        <source>Logs (*.log *.asc *.trc *.csv *.gz);;All files (*)</source>
+        <translation>Záznamy (*.log *.asc *.trc *.csv *.gz);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>%1 is no session; choose a recording of this console, or replay it as a log</source>
+        <translation>%1 není relace; zvolte záznam této konzoly, nebo jej přehrajte jako záznam sběrnice</translation>
+    </message>
+    <message>
+        <source>%1 is a session; choose it as a session</source>
+        <translation>%1 je relace; zvolte ji jako relaci</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ConsoleAlarms</name>
     <message>
         <source>No model, so nothing can be estimated: %1</source>
@@ -6987,6 +7117,10 @@ F1</translation>
     <message>
         <source>no probe is asked for: the picture shows an estimate of the past</source>
         <translation>sonda není vyžádána: obraz ukazuje minulý odhad</translation>
+    </message>
+    <message>
+        <source>connect to a bus, the simulated robot, a log or a session</source>
+        <translation>připojit se ke sběrnici, simulovanému robotu, záznamu nebo relaci</translation>
     </message>
 </context>
 <context>
@@ -9681,6 +9815,14 @@ F1</translation>
     <message>
         <source>All settings as named profiles or as one file (Ctrl+,)</source>
         <translation>Všechna nastavení jako pojmenované profily nebo jako jeden soubor (Ctrl+,)</translation>
+    </message>
+    <message>
+        <source>Connect to a bus, log or session …</source>
+        <translation>Připojit sběrnici, záznam nebo relaci …</translation>
+    </message>
+    <message>
+        <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
+        <translation>Co lze připojit, co je špatně a co to spraví (Ctrl+L)</translation>
     </message>
 </context>
 <context>

@@ -433,6 +433,13 @@
     </message>
 </context>
 <context>
+    <name>OpenConsole</name>
+    <message>
+        <source>not connected: %1</source>
+        <translation>nicht verbunden: %1</translation>
+    </message>
+</context>
+<context>
     <name>OpenFile</name>
     <message>
         <source>Open</source>
@@ -5497,6 +5504,129 @@ Zuletzt gesperrt: %1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ConnectWindow</name>
+    <message>
+        <source>can be used</source>
+        <translation>kann benutzt werden</translation>
+    </message>
+    <message>
+        <source>can be used, see below</source>
+        <translation>kann benutzt werden, siehe unten</translation>
+    </message>
+    <message>
+        <source>cannot be used, see below</source>
+        <translation>kann nicht benutzt werden, siehe unten</translation>
+    </message>
+    <message>
+        <source>mends it: %1</source>
+        <translation>das behebt es: %1</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>In use: %1</source>
+        <translation>In Gebrauch: %1</translation>
+    </message>
+    <message>
+        <source>What to work with</source>
+        <translation>Womit gearbeitet wird</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>This console may send commands on that bus</source>
+        <translation>Diese Konsole darf auf dem Bus Befehle senden</translation>
+    </message>
+    <message>
+        <source>Without it, the console only listens; like --transmit at the start</source>
+        <translation>Sonst hört die Konsole nur zu; wie --transmit beim Start</translation>
+    </message>
+    <message>
+        <source>Why it is not connected</source>
+        <translation>Warum nicht verbunden wird</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu prüfen</translation>
+    </message>
+    <message>
+        <source>Looks at the CAN interfaces of this computer again</source>
+        <translation>Prüft die CAN-Schnittstellen dieses Rechners neu</translation>
+    </message>
+    <message>
+        <source>Simulated robot in this program</source>
+        <translation>Simulierter Roboter in diesem Programm</translation>
+    </message>
+    <message>
+        <source>CAN bus %1 — %2</source>
+        <translation>CAN-Bus %1 — %2</translation>
+    </message>
+    <message>
+        <source>Log to replay, in a window of its own</source>
+        <translation>Log zum Abspielen, in einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>Session to review, in a window of its own</source>
+        <translation>Sitzung zum Ansehen, in einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>This interface cannot be used: mend it first, then look again</source>
+        <translation>Diese Schnittstelle kann nicht benutzt werden: erst beheben, dann neu prüfen</translation>
+    </message>
+    <message>
+        <source>✔ Needs no hardware. Its ground is the one that the console was started with</source>
+        <translation>✔ Braucht keine Hardware. Sein Gelände ist das vom Start der Konsole</translation>
+    </message>
+    <message>
+        <source>Logs of candump, Vector (.asc), PEAK (.trc), GVRET and python-can, also packed by gzip</source>
+        <translation>Logs von candump, Vector (.asc), PEAK (.trc), GVRET und python-can, auch mit gzip gepackt</translation>
+    </message>
+    <message>
+        <source>Choose a log …</source>
+        <translation>Log wählen …</translation>
+    </message>
+    <message>
+        <source>Recordings of this console (.tts), in %1</source>
+        <translation>Aufzeichnungen dieser Konsole (.tts), in %1</translation>
+    </message>
+    <message>
+        <source>Choose a session …</source>
+        <translation>Sitzung wählen …</translation>
+    </message>
+    <message>
+        <source>Opens the console anew with it (Return)</source>
+        <translation>Öffnet die Konsole damit neu (Return)</translation>
+    </message>
+    <message>
+        <source>Session to review</source>
+        <translation>Sitzung zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Log to replay</source>
+        <translation>Log zum Abspielen</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tts)</source>
+        <translation>Sitzungen (*.tts)</translation>
+    </message>
+    <message>
+        <source>Logs (*.log *.asc *.trc *.csv *.gz);;All files (*)</source>
+        <translation>Logs (*.log *.asc *.trc *.csv *.gz);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is no session; choose a recording of this console, or replay it as a log</source>
+        <translation>%1 ist keine Sitzung; eine Aufzeichnung dieser Konsole wählen, oder als Log abspielen</translation>
+    </message>
+    <message>
+        <source>%1 is a session; choose it as a session</source>
+        <translation>%1 ist eine Sitzung; als Sitzung wählen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::ConsoleAlarms</name>
     <message>
         <source>No model, so nothing can be estimated: %1</source>
@@ -6987,6 +7117,10 @@ F1</translation>
     <message>
         <source>no probe is asked for: the picture shows an estimate of the past</source>
         <translation>keine Sondierung verlangt: das Bild zeigt eine frühere Schätzung</translation>
+    </message>
+    <message>
+        <source>connect to a bus, the simulated robot, a log or a session</source>
+        <translation>mit einem Bus, dem simulierten Roboter, einem Log oder einer Sitzung verbinden</translation>
     </message>
 </context>
 <context>
@@ -9681,6 +9815,14 @@ F1</translation>
     <message>
         <source>All settings as named profiles or as one file (Ctrl+,)</source>
         <translation>Alle Einstellungen als benannte Profile oder als eine Datei (Ctrl+,)</translation>
+    </message>
+    <message>
+        <source>Connect to a bus, log or session …</source>
+        <translation>Bus, Log oder Sitzung verbinden …</translation>
+    </message>
+    <message>
+        <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
+        <translation>Was verbunden werden kann, was nicht stimmt und was es behebt (Ctrl+L)</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QDialog>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/link/can_check.h"
+#include "core/base/message.h"
+
+class QCheckBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace terratact {
+
+/// Another robot to connect the console to.
+struct ConnectionWish {
+    std::string can{};      ///< CAN interface; empty: the simulated robot
+    bool transmit = false;  ///< commands may be sent
+};
+
+/// A CAN interface of this computer and what was found about it.
+struct BusOffer {
+    std::string name;
+    std::vector<CanFinding> findings;  ///< in the order in which they must be fixed
+};
+
+/// Looks at every CAN interface of this computer; at can0 if there is none.
+std::vector<BusOffer> busOffers();
+
+/// Window to choose what the console works with: a CAN bus, the simulated robot, a log to replay, or a session to
+/// review. It states what is wrong with each and what mends it. Logs and sessions open in a window of their own.
+class ConnectWindow final : public QDialog {
+    Q_OBJECT
+public:
+    struct Options {
+        QString inUse{};  ///< what the console is connected to
+        std::function<std::vector<BusOffer>()> look = busOffers;
+        /// Returns why this console must stay connected now; empty: it may change.
+        std::function<std::optional<Message>()> whyNot;
+        QString sessions{};  ///< folder of the sessions
+    };
+    explicit ConnectWindow(Options options, QWidget* parent = nullptr);
+
+    void lookAgain();  ///< looks at the CAN interfaces anew
+    /// Opens a file that was chosen as a session or as a log; says what is wrong if it is none.
+    void openFile(const QString& path, bool asSession);
+
+    QListWidget* list() const { return list_; }
+    QCheckBox* transmitBox() const { return transmit_; }
+    QPushButton* connectButton() const { return connect_; }
+    QPushButton* lookButton() const { return look_; }
+    QString facts() const;   ///< about the chosen line
+    QString result() const;  ///< why nothing was connected
+
+signals:
+    void connectionWanted(const terratact::ConnectionWish& wish);
+    void fileWanted(const QString& path);  ///< in another window
+
+private:
+    enum class Kind { Simulated, Bus, Log, Session };
+    void showChosen();
+    void connectChosen();
+    Kind kind() const;
+    const BusOffer* chosenBus() const;
+    std::optional<QString> whyNotConnecting() const;
+
+    Options options_;
+    std::vector<BusOffer> buses_;
+    QListWidget* list_ = nullptr;
+    QLabel* facts_ = nullptr;
+    QCheckBox* transmit_ = nullptr;
+    QLabel* result_ = nullptr;
+    QPushButton* connect_ = nullptr;
+    QPushButton* look_ = nullptr;
+};
+
+}  // namespace terratact
