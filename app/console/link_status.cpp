@@ -185,6 +185,11 @@ void LinkStatus::logChange(const LinkAccount& link)
                     QTime::currentTime(), EventPlace::LinkBanner);
 }
 
+QString LinkStatus::banner() const
+{
+    return isBannerShown() ? banner_.text() : QString();
+}
+
 bool LinkStatus::isBannerShown() const
 {
     return !banner_.isHidden();

@@ -39,6 +39,7 @@ public:
     void show(const LinkViewState& viewState);
     /// Call for every frame of the window. panel: precondition of the panel for motion; empty: no panel.
     void showArming(const CanView* bus, const std::optional<Precondition>& panel);
+    QString banner() const;      ///< text of the banner; empty: it is hidden
     bool isBannerShown() const;  ///< true if the banner shows a lost or unsteady link
 
 private:

@@ -45,6 +45,9 @@ class AlarmsPage;
 class LivePlots;
 class LogReplay;
 class ReplayBar;
+class SecondView;
+class SnapshotNote;
+class SnapshotWriter;
 class SessionEventLogger;
 class ArmingControl;
 class GamepadControl;
@@ -118,6 +121,11 @@ public:
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     void addPictureKeys(KeyTable& keys);  ///< keys of the terrain picture
+    /// Saves the window's picture and the numbers of this moment, and asks for a note.
+    void takeSnapshot();
+    void toggleSecondView();
+    SecondView* secondView() const { return secondView_; }        ///< null before its first use
+    SnapshotNote* snapshotNote() const { return snapshotNote_; }  ///< null before its first use
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
@@ -156,6 +164,8 @@ private:
     void logStall(double seconds);
     void redraw();
     void showTerrain();
+    void showSecondView(const TerrainViewState& viewState);
+    void noteSnapshot(const QString& note);
     void soundContact(const FlipperContacts& contacts, const Measurement* measurement);
     void tickPanel(double now);
     void releaseStop();
@@ -240,6 +250,10 @@ private:
     AlarmsPage* alarmsPage_ = nullptr;
     SignalsPage* signalsPage_ = nullptr;
     DiagnosticsPage* diagnosticsPage_ = nullptr;
+    SecondView* secondView_ = nullptr;
+    SnapshotNote* snapshotNote_ = nullptr;
+    SnapshotWriter* snapshotWriter_ = nullptr;
+    std::string snapshot_;  ///< path of the last one without ending
     QString robotDetails_;
 };
 

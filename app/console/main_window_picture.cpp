@@ -1,9 +1,51 @@
-// The picture of the terrain in the console's window: its menu, its keys and its file.
+// The picture of the terrain in the console's window: its menu, its keys, the second screen, and snapshots.
+#include <QAction>
+#include <QDateTime>
+#include <QImage>
+#include <QPixmap>
+#include <vector>
+
 #include "app/console/main_window.h"
+#include "app/console/profile_menu.h"
+#include "app/console/second_view.h"
+#include "app/console/snapshot.h"
+#include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/mission/session_event_logger.h"
+#include "app/pages/numbers_page.h"
 #include "app/pages/picture_tools.h"
+#include "app/pages/table_csv.h"
+#include "core/store/file_write.h"
+#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
+namespace {
+
+constexpr QKeyCombination kSecondViewKey(Qt::CTRL, Qt::Key_D);
+
+/// Returns the numbers of a moment as CSV: a name and a value per line, in SI units.
+std::string momentCsv(const RobotMoment& moment, const QDateTime& utc, const QString& source)
+{
+    std::vector<std::vector<std::string>> rows{
+        {"time_utc", utc.toString(Qt::ISODateWithMs).toStdString()},
+        {"source", source.toStdString()}};
+    if (moment.latest) {
+        const Measurement& m = moment.latest->sample.measurement;
+        rows.push_back(
+            {"telemetry_age_s", fixed(moment.now - secondsOf(moment.latest->arrived), 3)});
+        for (const auto& [name, value] :
+             {std::pair("pitch_rad", m.pitch), std::pair("roll_rad", m.roll),
+              std::pair("front_left_rad", m.frontLeft), std::pair("front_right_rad", m.frontRight),
+              std::pair("rear_left_rad", m.rearLeft), std::pair("rear_right_rad", m.rearRight)})
+            rows.push_back({name, fixed(value, 5)});
+    }
+    std::string csv;
+    for (const auto& row : rows) csv += csvLine(row);
+    return csv;
+}
+
+}  // namespace
 
 void MainWindow::addPictureKeys(KeyTable& keys)
 {
@@ -16,6 +58,82 @@ void MainWindow::addPictureKeys(KeyTable& keys)
                 EventSeverity::Note);
         });
     });
+    keys.add({{Qt::Key_C}, tr("save a snapshot: picture and numbers, with a note"), [this] {
+                  takeSnapshot();
+              }});
+    keys.add({{kSecondViewKey},
+              tr("terrain and verdict in a second window, view only; again closes it"),
+              [this] { toggleSecondView(); }});
+    profileMenu_->addSeparator();
+    connect(profileMenu_->addAction(tr("Second window, view only (Ctrl+D)")), &QAction::triggered,
+            this, &MainWindow::toggleSecondView);
+    connect(profileMenu_->addAction(tr("Snapshot with a note (C)")), &QAction::triggered, this,
+            &MainWindow::takeSnapshot);
+}
+
+void MainWindow::toggleSecondView()
+{
+    if (secondView_ && secondView_->isVisible()) return void(secondView_->close());
+    if (!secondView_)
+        secondView_ = new SecondView(robot_, format::sourceName(source_->name()), *this);
+    secondView_->open();
+    redraw();
+}
+
+void MainWindow::showSecondView(const TerrainViewState& viewState)
+{
+    if (secondView_ && secondView_->isVisible())
+        secondView_->show(viewState, verdict()->limit(),
+                          exploration_->options().settings.forceThreshold, linkStatus_->banner());
+}
+
+void MainWindow::takeSnapshot()
+{
+    const bool isRecorded = eventLogger_ && recorder_->state().recording;
+    const QDateTime utc = QDateTime::currentDateTimeUtc();
+    const SnapshotFiles files =
+        snapshotFiles(isRecorded ? recorder_->state().path : std::string(), utc);
+    std::string numbers = momentCsv(moment_, utc, format::sourceName(source_->name()));
+    numbers_->refresh(moment_.now);
+    if (const auto verdict = exploration_->estimation().verdict())
+        numbers += csvLine({"verdict", describe(*verdict)});
+    if (exploration_->estimation().estimate())
+        numbers += '\n' + csvOfTable(numbers_->table()->text()).toStdString();
+    if (!snapshotWriter_) {
+        snapshotWriter_ = new SnapshotWriter(this);
+        connect(snapshotWriter_, &SnapshotWriter::wrote, this,
+                [this](const QString& /*base*/, const QString& trouble) {
+                    if (!trouble.isEmpty())
+                        showWhyNot({TR_NOOP("terratact::MainWindow", "SNAPSHOT NOT SAVED: %1"),
+                                    verbatim(trouble)});
+                });
+    }
+    snapshotWriter_->write(files, grab().toImage(), std::move(numbers));
+    if (isRecorded) eventLogger_->snapshot(files.name());
+    const Message saved =
+        isRecorded
+            ? Message(TR_NOOP("terratact::MainWindow", "snapshot %1, beside the session"),
+                      files.name().toStdString())
+            : Message(TR_NOOP("terratact::MainWindow", "no session records; the snapshot is in %1"),
+                      files.picture());
+    log(saved, EventSeverity::Note);
+    notice_->show(translated(saved), steadyNow());
+    snapshot_ = isRecorded ? std::string() : files.base;
+    if (!snapshotNote_) {
+        snapshotNote_ = new SnapshotNote(*this);
+        connect(snapshotNote_, &SnapshotNote::noted, this, &MainWindow::noteSnapshot);
+    }
+    putBelowHeader(*snapshotNote_);
+    snapshotNote_->ask(translated(saved));
+}
+
+/// Keeps a note in the session; beside the files of the snapshot, where none was recorded.
+void MainWindow::noteSnapshot(const QString& note)
+{
+    if (snapshot_.empty()) return eventLogger_->noteSnapshot(note);
+    const Status done =
+        writeFileAtomically(SnapshotFiles{snapshot_}.note(), note.toStdString() + '\n');
+    if (!done) showWhyNot(done.error().message);
 }
 
 }  // namespace terratact

@@ -123,6 +123,7 @@ void MainWindow::showTerrain()
     if (viewState.numbersDue) numbersShown_ = now;
     showHistory(viewState);
     terrainPage_->setViewState(viewState);
+    showSecondView(viewState);
     soundContact(terrainPage_->driveStrip()->viewState().contact.value_or(FlipperContacts{}),
                  viewState.measurement);
 }

@@ -42,6 +42,8 @@ namespace {
     QT_TRANSLATE_NOOP("event", "log"),
     QT_TRANSLATE_NOOP("event", "clock"),
     QT_TRANSLATE_NOOP("event", "operator"),
+    QT_TRANSLATE_NOOP("event", "snapshot"),
+    QT_TRANSLATE_NOOP("event", "snapshot note"),
     // Identifiers of alarms.
     QT_TRANSLATE_NOOP("event", "silence"),
     QT_TRANSLATE_NOOP("event", "link"),

@@ -193,6 +193,16 @@ void SessionEventLogger::mark(const QString& note)
     log(EventKind::Marker, "operator", verbatim(note));
 }
 
+void SessionEventLogger::snapshot(const QString& name)
+{
+    log(EventKind::Marker, "snapshot", verbatim(name));
+}
+
+void SessionEventLogger::noteSnapshot(const QString& note)
+{
+    log(EventKind::Marker, "snapshot note", verbatim(note));
+}
+
 std::string SessionEventLogger::shown() const
 {
     std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase).english);

@@ -5122,6 +5122,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>let go</source>
         <translation>puštěno</translation>
     </message>
+    <message>
+        <source>snapshot</source>
+        <translation>snímek</translation>
+    </message>
+    <message>
+        <source>snapshot note</source>
+        <translation>poznámka ke snímku</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -7122,6 +7130,34 @@ F1</translation>
         <source>connect to a bus, the simulated robot, a log or a session</source>
         <translation>připojit se ke sběrnici, simulovanému robotu, záznamu nebo relaci</translation>
     </message>
+    <message>
+        <source>save a snapshot: picture and numbers, with a note</source>
+        <translation>uložit snímek: obrázek a čísla, s poznámkou</translation>
+    </message>
+    <message>
+        <source>terrain and verdict in a second window, view only; again closes it</source>
+        <translation>terén a verdikt v druhém okně, jen pro čtení; znovu okno zavře</translation>
+    </message>
+    <message>
+        <source>Second window, view only (Ctrl+D)</source>
+        <translation>Druhé okno, jen pro čtení (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Snapshot with a note (C)</source>
+        <translation>Snímek s poznámkou (C)</translation>
+    </message>
+    <message>
+        <source>SNAPSHOT NOT SAVED: %1</source>
+        <translation>SNÍMEK NEULOŽEN: %1</translation>
+    </message>
+    <message>
+        <source>snapshot %1, beside the session</source>
+        <translation>snímek %1, vedle záznamu</translation>
+    </message>
+    <message>
+        <source>no session records; the snapshot is in %1</source>
+        <translation>nic se nezaznamenává; snímek je v %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -9049,6 +9085,13 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SecondView</name>
+    <message>
+        <source>%1 — view only — Terratact</source>
+        <translation>%1 — jen pro čtení — Terratact</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SessionBrowser</name>
     <message>
         <source>Recordings</source>
@@ -10015,6 +10058,25 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>DBC files (*.dbc *.DBC);;All files (*)</source>
         <translation>Soubory DBC (*.dbc *.DBC);;Všechny soubory (*)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SnapshotNote</name>
+    <message>
+        <source>Note on the snapshot</source>
+        <translation>Poznámka ke snímku</translation>
+    </message>
+    <message>
+        <source>note; empty: none</source>
+        <translation>poznámka; prázdná: žádná</translation>
+    </message>
+    <message>
+        <source>Save the note</source>
+        <translation>Uložit poznámku</translation>
+    </message>
+    <message>
+        <source>No note</source>
+        <translation>Bez poznámky</translation>
     </message>
 </context>
 <context>

@@ -5122,6 +5122,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>let go</source>
         <translation>losgelassen</translation>
     </message>
+    <message>
+        <source>snapshot</source>
+        <translation>Schnappschuss</translation>
+    </message>
+    <message>
+        <source>snapshot note</source>
+        <translation>Notiz zum Schnappschuss</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -7122,6 +7130,34 @@ F1</translation>
         <source>connect to a bus, the simulated robot, a log or a session</source>
         <translation>mit einem Bus, dem simulierten Roboter, einem Log oder einer Sitzung verbinden</translation>
     </message>
+    <message>
+        <source>save a snapshot: picture and numbers, with a note</source>
+        <translation>Schnappschuss sichern: Bild und Zahlen, mit Notiz</translation>
+    </message>
+    <message>
+        <source>terrain and verdict in a second window, view only; again closes it</source>
+        <translation>Gelände und Urteil in einem zweiten Fenster, nur Anzeige; erneut schließt es</translation>
+    </message>
+    <message>
+        <source>Second window, view only (Ctrl+D)</source>
+        <translation>Zweites Fenster, nur Anzeige (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Snapshot with a note (C)</source>
+        <translation>Schnappschuss mit Notiz (C)</translation>
+    </message>
+    <message>
+        <source>SNAPSHOT NOT SAVED: %1</source>
+        <translation>SCHNAPPSCHUSS NICHT GESICHERT: %1</translation>
+    </message>
+    <message>
+        <source>snapshot %1, beside the session</source>
+        <translation>Schnappschuss %1, neben der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>no session records; the snapshot is in %1</source>
+        <translation>keine Aufzeichnung läuft; der Schnappschuss liegt in %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -9049,6 +9085,13 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SecondView</name>
+    <message>
+        <source>%1 — view only — Terratact</source>
+        <translation>%1 — nur Anzeige — Terratact</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SessionBrowser</name>
     <message>
         <source>Recordings</source>
@@ -10015,6 +10058,25 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>DBC files (*.dbc *.DBC);;All files (*)</source>
         <translation>DBC-Dateien (*.dbc *.DBC);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SnapshotNote</name>
+    <message>
+        <source>Note on the snapshot</source>
+        <translation>Notiz zum Schnappschuss</translation>
+    </message>
+    <message>
+        <source>note; empty: none</source>
+        <translation>Notiz; leer: keine</translation>
+    </message>
+    <message>
+        <source>Save the note</source>
+        <translation>Notiz sichern</translation>
+    </message>
+    <message>
+        <source>No note</source>
+        <translation>Keine Notiz</translation>
     </message>
 </context>
 <context>

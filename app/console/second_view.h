@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/pages/terrain_page.h"
+
+namespace terratact {
+
+class PlainLabel;
+
+/// A window for a second screen: the terrain, the verdict, the memory line and the drive strip, as the console shows
+/// them, stale data included. Nothing in it commands the robot or changes the verdict. It follows theme and font. F11
+/// fills its screen, Esc and Ctrl+D close it.
+class SecondView final : public QWidget {
+    Q_OBJECT
+public:
+    /// source: the source's name, for the title. console: the window that owns it.
+    SecondView(const RobotModel& robot, const QString& source, QWidget& console);
+
+    /// Shows what the console shows. limits: those of the console's page; banner: its link banner, empty: none.
+    void show(const TerrainViewState& viewState, double stepLimit, double threshold,
+              const QString& banner);
+    /// Opens the window without taking the keys from the console, on another screen if there is one.
+    void open();
+    TerrainPage* page() const { return page_; }
+    PlainLabel* banner() const { return banner_; }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void arrange();
+    void forbid();
+
+    double threshold_ = -1.0;
+    // Qt's parents own the widgets.
+    TerrainPage* page_ = nullptr;
+    PlainLabel* banner_ = nullptr;
+    QWidget* away_ = nullptr;  ///< never shown: the parts of the page that command
+};
+
+}  // namespace terratact
