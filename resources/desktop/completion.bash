@@ -164,7 +164,8 @@ _terratact_argument() {
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
-    session) _terratact_words info verify recover export scenes strip report merge what-if import ;;
+    session) _terratact_words info list verify recover export scenes strip report merge what-if import ;;
+    "session list") _terratact_files ;;
     "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
     import) _terratact_files mcap bag db3 csv ;;

@@ -224,6 +224,7 @@ class Completion(unittest.TestCase):
             for name, cases in fitting.items():
                 for words in cases:
                     self.assertEqual(completed("terratact", *words, start), [f"{start}{name}", f"{start}below"])
+            self.assertEqual(completed("terratact", "session", "list", start), [f"{start}below"])
             logs = completed("terratact", "can", "decode", f"{start}a")
             self.assertEqual(logs, sorted(f"{start}a b.log".split() + [f"{start}a.csv", f"{start}a.log"]))
             if "terratact-console" in PROGRAMS:
