@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QFileInfo>
 #include <QKeySequence>
 #include <QMenu>
 #include <QPixmap>
@@ -137,8 +138,13 @@ void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
                 .kind = FileWish::Kind::ToWrite},
                [&view, done = std::move(done)](const QString& path) {
                    const QString file =
-                       path.contains(QLatin1Char('.')) ? path : path + QStringLiteral(".png");
-                   done(file, savePicture(view, file, PictureColours::AsShown));
+                       QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".png") : path;
+                   const QString trouble =
+                       QFileInfo::exists(file)
+                           ? PictureTools::tr("%1 exists and was not replaced; choose another name")
+                                 .arg(file)
+                           : savePicture(view, file, PictureColours::AsShown);
+                   done(file, trouble);
                });
 }
 

@@ -7420,6 +7420,10 @@ F1</translation>
         <source>Pictures (*.png *.svg *.pdf)</source>
         <translation>Bilder (*.png *.svg *.pdf)</translation>
     </message>
+    <message>
+        <source>%1 exists and was not replaced; choose another name</source>
+        <translation>%1 gibt es und wurde nicht ersetzt; anderen Namen wählen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::Place</name>

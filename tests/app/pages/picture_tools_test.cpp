@@ -6,12 +6,16 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
 
 #include "app/pages/terrain_picture.h"
 #include "app/shell/key_table.h"
+#include "core/store/file_read.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/terrain_bench.h"
 
@@ -114,6 +118,32 @@ TEST_F(Pictured, aPictureAsShownKeepsTheTheme)
     EXPECT_EQ(lookInForce().theme, ThemeName::NightRed);
     applyLook(*qApp);
     EXPECT_FALSE(savePicture(view, "picture.bmp", PictureColours::AsShown).isEmpty());
+}
+
+TEST_F(Pictured, anExportReplacesNoFileAndKnowsItsEnding)
+{
+    const TemporaryDirectory directory;
+    const QString folder = QString::fromStdString(directory.file("day.1"));
+    ASSERT_TRUE(QDir().mkdir(folder));
+    QString written, trouble;
+    const auto exportTo = [&](const QString& path) {
+        QWidget parent;
+        askAndSavePicture(view, parent, [&](const QString& file, const QString& why) {
+            written = file;
+            trouble = why;
+        });
+        auto* const dialog = parent.findChild<QFileDialog*>();
+        if (dialog) emit dialog->fileSelected(path);
+    };
+    exportTo(folder + "/terrain");
+    EXPECT_EQ(written, folder + "/terrain.png") << "the folder's point is no ending";
+    EXPECT_EQ(trouble, "");
+    EXPECT_TRUE(QFileInfo::exists(written));
+    const std::string own = directory.write("own.svg", "mine");
+    exportTo(QString::fromStdString(own));
+    EXPECT_EQ(trouble,
+              QString::fromStdString(own) + " exists and was not replaced; choose another name");
+    EXPECT_EQ(*readFile(own, 1U << 20U), "mine");
 }
 
 }  // namespace
