@@ -120,6 +120,9 @@ QWidget* SettingsFilesWindow::buildProfiles()
     connect(replaces, &SecondPress::confirmed, this, [this] { saveProfile(true); });
     auto* deletes = new SecondPress(*delete_, tr("Press again to delete it"));
     connect(deletes, &SecondPress::confirmed, this, &SettingsFilesWindow::removeProfile);
+    // A second press counts for the profile of the first one alone.
+    connect(list_, &QListWidget::currentRowChanged, deletes, &SecondPress::cancel);
+    connect(name_, &QLineEdit::textChanged, replaces, &SecondPress::cancel);
     return card;
 }
 

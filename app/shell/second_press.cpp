@@ -31,6 +31,12 @@ void SecondPress::press()
     emit confirmed();
 }
 
+void SecondPress::cancel()
+{
+    asked_.stop();
+    showText();
+}
+
 void SecondPress::showText()
 {
     button_.setText(asked_.isActive() ? question_ : text_);

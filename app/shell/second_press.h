@@ -16,6 +16,8 @@ public:
     /// question: the button's text while it waits for the second press.
     SecondPress(QPushButton& button, const QString& question);
 
+    void cancel();  ///< forgets a first press; call it when the button would act on another thing
+
 signals:
     void confirmed();
 

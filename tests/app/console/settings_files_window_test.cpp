@@ -127,6 +127,26 @@ TEST_F(SettingsFilesBench, replacesAndDeletesAfterASecondPress)
     EXPECT_TRUE(pressesUntil(window.deleteButton(), [&] { return window.list()->count() == 0; }));
 }
 
+TEST_F(SettingsFilesBench, aSecondPressIsForTheSameProfile)
+{
+    save("a");
+    save("b");
+    const auto asks = [](const QPushButton* button) {
+        return button->text().startsWith("Press again");
+    };
+    choose(0);
+    window.deleteButton()->click();
+    window.replaceButton()->click();
+    ASSERT_TRUE(asks(window.deleteButton()));
+    ASSERT_TRUE(asks(window.replaceButton()));
+    choose(1);
+    EXPECT_FALSE(asks(window.deleteButton()));
+    EXPECT_FALSE(asks(window.replaceButton()));
+    window.replaceButton()->click();
+    window.nameField()->setText("a");
+    EXPECT_FALSE(asks(window.replaceButton()));
+}
+
 TEST_F(SettingsFilesBench, exportsOnceAndImportsWhatChanges)
 {
     const QString file = QString::fromStdString(directory.file("x.settings"));
