@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -66,16 +67,18 @@ QString factsOf(const BusOffer& bus)
 
 }  // namespace
 
-std::vector<BusOffer> busOffers()
+std::vector<BusOffer> busOffers(const std::stop_token& stop)
 {
     std::vector<std::string> names = lookAtInterface("").others;
     if (names.empty()) names.emplace_back("can0");
     const int socketError = canSocketError();
     std::vector<BusOffer> offers;
     offers.reserve(names.size());
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
+        if (stop.stop_requested()) break;
         offers.push_back({name, findingsOf(lookAtInterface(name), socketError,
                                            controllerFrom(linkDetails(name)))});
+    }
     return offers;
 }
 
@@ -119,6 +122,7 @@ ConnectWindow::ConnectWindow(Options options, QWidget* parent)
     column->addWidget(result_);
     column->addLayout(row);
     connect(list_, &QListWidget::currentRowChanged, this, [this] {
+        transmit_->setChecked(false);
         result_->clear();
         showChosen();
     });
@@ -130,30 +134,88 @@ ConnectWindow::ConnectWindow(Options options, QWidget* parent)
         if (isVisible()) showChosen();
     });
     state->start(kStateEvery);
-    lookAgain();
+    listSources();
+    choose(Kind::Simulated);
     resize(scaled(kConnectWide), scaled(kConnectHigh));
+}
+
+ConnectWindow::~ConnectWindow()
+{
+    thread_ = {};  // requests the end and waits
+}
+
+void ConnectWindow::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    if (event->spontaneous()) return;
+    transmit_->setChecked(false);
+    lookAgain();
 }
 
 void ConnectWindow::lookAgain()
 {
-    const int row = std::max(0, list_->currentRow());
-    buses_ = options_.look();
+    if (looks_) return;
+    const Kind before = kind();
+    const BusOffer* const bus = chosenBus();
+    chosenName_ = bus ? bus->name : std::string();
+    buses_.clear();
+    looks_ = true;
+    listSources();
+    choose(before == Kind::Bus ? Kind::Looking : before);
+    thread_ = std::jthread([this, look = options_.look](const std::stop_token& stop) {
+        auto found = look(stop);
+        QMetaObject::invokeMethod(
+            this, [this, found = std::move(found)] { showFound(found); }, Qt::QueuedConnection);
+    });
+}
+
+void ConnectWindow::showFound(std::vector<BusOffer> found)
+{
+    const Kind before = kind();
+    buses_ = std::move(found);
+    looks_ = false;
+    listSources();
+    if (before != Kind::Looking) return choose(before);
+    for (std::size_t i = 0; i < buses_.size(); ++i)
+        if (buses_[i].name == chosenName_) return list_->setCurrentRow(static_cast<int>(i) + 1);
+    choose(Kind::None);
+}
+
+/// Lists what to choose; nothing is chosen then.
+void ConnectWindow::listSources()
+{
     list_->clear();
     list_->addItem(tr("Simulated robot in this program"));
+    if (looks_) list_->addItem(tr("Looking for CAN buses …"));
     for (const BusOffer& bus : buses_)
         list_->addItem(tr("CAN bus %1 — %2").arg(format::shownName(bus.name), stateOf(bus)));
     list_->addItem(tr("Log to replay, in a window of its own"));
     list_->addItem(tr("Session to review, in a window of its own"));
-    list_->setCurrentRow(std::min(row, list_->count() - 1));
+    look_->setEnabled(!looks_);
+}
+
+void ConnectWindow::choose(Kind kind)
+{
+    const int rows = list_->count();
+    switch (kind) {
+    case Kind::Simulated: return list_->setCurrentRow(0);
+    case Kind::Looking: return list_->setCurrentRow(1);
+    case Kind::Log: return list_->setCurrentRow(rows - 2);
+    case Kind::Session: return list_->setCurrentRow(rows - 1);
+    case Kind::None:
+    case Kind::Bus: break;
+    }
+    list_->setCurrentRow(-1);
     showChosen();
 }
 
 ConnectWindow::Kind ConnectWindow::kind() const
 {
-    const int row = list_->currentRow();
-    if (row <= 0) return Kind::Simulated;
-    if (row <= static_cast<int>(buses_.size())) return Kind::Bus;
-    return row == static_cast<int>(buses_.size()) + 1 ? Kind::Log : Kind::Session;
+    const int row = list_->currentRow(), rows = list_->count();
+    if (row < 0) return Kind::None;
+    if (row == 0) return Kind::Simulated;
+    if (row < rows - 2) return looks_ ? Kind::Looking : Kind::Bus;
+    return row == rows - 2 ? Kind::Log : Kind::Session;
 }
 
 const BusOffer* ConnectWindow::chosenBus() const
@@ -165,6 +227,8 @@ const BusOffer* ConnectWindow::chosenBus() const
 std::optional<QString> ConnectWindow::whyNotConnecting() const
 {
     if (kind() == Kind::Log || kind() == Kind::Session) return std::nullopt;
+    if (kind() == Kind::None) return tr("Choose what to work with");
+    if (kind() == Kind::Looking) return tr("Looking for CAN buses …");
     if (const auto why = options_.whyNot ? options_.whyNot() : std::nullopt)
         return translated(*why);
     if (const BusOffer* const bus = chosenBus(); bus && worstOf(*bus) == CanFinding::Level::Problem)
@@ -178,6 +242,11 @@ void ConnectWindow::showChosen()
     transmit_->setVisible(bus != nullptr);
     QString facts, button = tr("Connect");
     switch (kind()) {
+    case Kind::None:
+        if (!chosenName_.empty())
+            facts = tr("CAN bus %1 is no longer there").arg(format::shownName(chosenName_));
+        break;
+    case Kind::Looking: break;
     case Kind::Simulated:
         facts = tr("✔ Needs no hardware. Its ground is the one that the console was started with");
         break;

@@ -3,7 +3,9 @@
 #include <QDialog>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/link/can_check.h"
@@ -28,24 +30,28 @@ struct BusOffer {
     std::vector<CanFinding> findings;  ///< in the order in which they must be fixed
 };
 
-/// Looks at every CAN interface of this computer; at can0 if there is none.
-std::vector<BusOffer> busOffers();
+/// Looks at every CAN interface of this computer; at can0 if there is none. It starts a program per interface: not for
+/// the GUI thread. The rest is left out once a stop is requested.
+std::vector<BusOffer> busOffers(const std::stop_token& stop);
 
 /// Window to choose what the console works with: a CAN bus, the simulated robot, a log to replay, or a session to
-/// review. It states what is wrong with each and what mends it. Logs and sessions open in a window of their own.
+/// review. It states what is wrong with each and what mends it. Logs and sessions open in a window of their own. The
+/// permission to send commands is for one bus: it ends with another choice, another look, and another opening.
 class ConnectWindow final : public QDialog {
     Q_OBJECT
 public:
     struct Options {
         QString inUse{};  ///< what the console is connected to
-        std::function<std::vector<BusOffer>()> look = busOffers;
+        /// Finds the interfaces; called in a thread of its own.
+        std::function<std::vector<BusOffer>(const std::stop_token& stop)> look = busOffers;
         /// Returns why this console must stay connected now; empty: it may change.
         std::function<std::optional<Message>()> whyNot;
         QString sessions{};  ///< folder of the sessions
     };
     explicit ConnectWindow(Options options, QWidget* parent = nullptr);
+    ~ConnectWindow() override;
 
-    void lookAgain();  ///< looks at the CAN interfaces anew
+    void lookAgain();  ///< looks at the CAN interfaces anew; does nothing while it looks
     /// Opens a file that was chosen as a session or as a log; says what is wrong if it is none.
     void openFile(const QString& path, bool asSession);
 
@@ -60,8 +66,14 @@ signals:
     void connectionWanted(const terratact::ConnectionWish& wish);
     void fileWanted(const QString& path);  ///< in another window
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
-    enum class Kind { Simulated, Bus, Log, Session };
+    enum class Kind { None, Simulated, Looking, Bus, Log, Session };
+    void listSources();
+    void showFound(std::vector<BusOffer> found);
+    void choose(Kind kind);
     void showChosen();
     void connectChosen();
     Kind kind() const;
@@ -70,12 +82,15 @@ private:
 
     Options options_;
     std::vector<BusOffer> buses_;
+    bool looks_ = false;      ///< at the interfaces; buses_ is empty until then
+    std::string chosenName_;  ///< bus that was chosen before this look; empty: none
     QListWidget* list_ = nullptr;
     QLabel* facts_ = nullptr;
     QCheckBox* transmit_ = nullptr;
     QLabel* result_ = nullptr;
     QPushButton* connect_ = nullptr;
     QPushButton* look_ = nullptr;
+    std::jthread thread_;  // looks at the interfaces
 };
 
 }  // namespace terratact

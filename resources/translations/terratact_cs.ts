@@ -5633,6 +5633,18 @@ Poslední deaktivace: %1</translation>
         <source>%1 is a session; choose it as a session</source>
         <translation>%1 je relace; zvolte ji jako relaci</translation>
     </message>
+    <message>
+        <source>Looking for CAN buses …</source>
+        <translation>Hledají se sběrnice CAN …</translation>
+    </message>
+    <message>
+        <source>Choose what to work with</source>
+        <translation>Zvolte, s čím pracovat</translation>
+    </message>
+    <message>
+        <source>CAN bus %1 is no longer there</source>
+        <translation>Sběrnice CAN %1 už tu není</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ConsoleAlarms</name>

@@ -5633,6 +5633,18 @@ Zuletzt gesperrt: %1</translation>
         <source>%1 is a session; choose it as a session</source>
         <translation>%1 ist eine Sitzung; als Sitzung wählen</translation>
     </message>
+    <message>
+        <source>Looking for CAN buses …</source>
+        <translation>Die CAN-Busse werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Choose what to work with</source>
+        <translation>Wählen, womit gearbeitet wird</translation>
+    </message>
+    <message>
+        <source>CAN bus %1 is no longer there</source>
+        <translation>Den CAN-Bus %1 gibt es nicht mehr</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ConsoleAlarms</name>

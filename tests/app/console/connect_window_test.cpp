@@ -7,6 +7,9 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <chrono>
+#include <future>
+#include <utility>
 
 #include "app/console/main_window.h"
 #include "tests/support/arming.h"
@@ -35,7 +38,7 @@ BusOffer downBus()
 struct ConnectBench : testing::Test {
     ConnectBench()
         : window({.inUse = "SIMULATED ROBOT",
-                  .look = [this] { return offers; },
+                  .look = [this](const std::stop_token&) { return offers; },
                   .whyNot = [this] { return whyNot; },
                   .sessions = "/sessions"})
     {
@@ -45,8 +48,19 @@ struct ConnectBench : testing::Test {
         QObject::connect(&window, &ConnectWindow::fileWanted, &window,
                          [this](const QString& path) { files << path; });
         gui::showActive(window);
+        EXPECT_TRUE(isListed());
+    }
+    bool isListed() const
+    {
+        return eventually([&] { return window.lookButton()->isEnabled(); });
     }
     void choose(int row) { window.list()->setCurrentRow(row); }
+    /// Chooses the bus of a row and allows this console to send commands on it.
+    void allow(int row)
+    {
+        choose(row);
+        window.transmitBox()->setChecked(true);
+    }
 
     std::vector<BusOffer> offers{goodBus(), downBus()};
     std::optional<Message> whyNot;
@@ -68,7 +82,76 @@ TEST_F(ConnectBench, listsEverySourceAndWhatMendsIt)
     EXPECT_EQ(window.result(), "This interface cannot be used: mend it first, then look again");
     offers[1].findings = goodBus().findings;
     QTest::keyClick(window.lookButton(), Qt::Key_Space);
-    EXPECT_TRUE(window.connectButton()->isEnabled()) << "the line stays chosen";
+    EXPECT_TRUE(eventually([&] { return window.connectButton()->isEnabled(); }))
+        << "the line stays chosen";
+}
+
+TEST_F(ConnectBench, thePermissionToSendIsForOneBus)
+{
+    offers[1].findings = goodBus().findings;
+    window.lookAgain();
+    ASSERT_TRUE(isListed());
+    allow(1);
+    choose(2);
+    EXPECT_FALSE(window.transmitBox()->isChecked()) << "another bus";
+    window.transmitBox()->setChecked(true);
+    window.lookButton()->click();
+    EXPECT_FALSE(window.transmitBox()->isChecked()) << "another look";
+    ASSERT_TRUE(isListed());
+    allow(2);
+    window.close();
+    window.show();
+    EXPECT_FALSE(window.transmitBox()->isChecked()) << "opened again";
+    ASSERT_TRUE(isListed());
+    window.connectButton()->click();
+    ASSERT_EQ(wishes.size(), 1U);
+    EXPECT_EQ(wishes[0].can, "can1");
+    EXPECT_FALSE(wishes[0].transmit);
+}
+
+TEST_F(ConnectBench, keepsTheBusByItsNameAfterAnotherLook)
+{
+    choose(1);
+    offers.insert(offers.begin(), {"a0", goodBus().findings});
+    window.lookAgain();
+    EXPECT_FALSE(window.connectButton()->isEnabled()) << "not before it is found again";
+    ASSERT_TRUE(isListed());
+    EXPECT_EQ(window.list()->currentRow(), 2);
+    window.connectButton()->click();
+    ASSERT_EQ(wishes.size(), 1U);
+    EXPECT_EQ(wishes[0].can, "can0");
+    offers.erase(offers.begin() + 1);
+    window.lookAgain();
+    ASSERT_TRUE(isListed());
+    EXPECT_EQ(window.list()->currentRow(), -1) << "no other bus in its place";
+    EXPECT_FALSE(window.connectButton()->isEnabled());
+    EXPECT_EQ(window.facts(), "CAN bus can0 is no longer there");
+}
+
+TEST(ConnectWindow, staysUsableWhileItLooks)
+{
+    constexpr std::chrono::seconds kLong(5);
+    std::promise<void> go;
+    bool wasLetGo = false;
+    ConnectWindow::Options options;
+    options.look = [&, gone = go.get_future().share()](const std::stop_token&) {
+        wasLetGo = gone.wait_for(kLong) == std::future_status::ready;
+        return std::vector<BusOffer>{goodBus()};
+    };
+    ConnectWindow window(std::move(options));
+    gui::showActive(window);
+    ASSERT_EQ(window.list()->count(), 4);
+    EXPECT_EQ(window.list()->item(1)->text(), "Looking for CAN buses …");
+    EXPECT_FALSE(window.lookButton()->isEnabled());
+    EXPECT_TRUE(window.connectButton()->isEnabled()) << "to the simulated robot";
+    window.list()->setCurrentRow(1);
+    EXPECT_FALSE(window.connectButton()->isEnabled());
+    window.list()->setCurrentRow(3);
+    go.set_value();
+    EXPECT_TRUE(eventually([&] { return window.lookButton()->isEnabled(); }));
+    EXPECT_TRUE(wasLetGo) << "the window did not wait for it";
+    EXPECT_EQ(window.list()->item(1)->text(), "CAN bus can0 — can be used");
+    EXPECT_EQ(window.list()->currentRow(), 3) << "the session stays chosen";
 }
 
 TEST_F(ConnectBench, connectsToABusByTheKeyboard)
