@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/console/pad_text.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/shell/number_box.h"
+#include "app/shell/pad_text.h"
 #include "app/shell/second_press.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"

@@ -170,6 +170,7 @@ QWidget* SettingsFilesWindow::buildChanges()
     changes_->setHorizontalHeaderLabels({tr("Setting"), tr("now"), tr("then")});
     changes_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     changes_->verticalHeader()->hide();
+    changes_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     changes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     changes_->setTabKeyNavigation(false);
     changes_->setMinimumHeight(scaled(100));

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/display/format.h"
+#include "app/shell/pad_text.h"
 
 namespace terratact {
 namespace {
@@ -70,7 +71,64 @@ QString shownText(const PreferenceValue& value)
         return QCoreApplication::translate("PreferenceText", "no");
     if (value.text.isEmpty()) return QCoreApplication::translate("PreferenceText", "none");
     QString text = value.text;
-    return format::shownName(text.replace(QLatin1Char('\n'), QStringLiteral("; ")).toStdString());
+    return format::line(text.replace(QLatin1Char('\n'), QStringLiteral("; ")).toStdString());
+}
+
+/// Returns where a text may be cut at or before `at`, not inside of a character.
+qsizetype cutBefore(const QString& text, qsizetype at)
+{
+    return at > 0 && at < text.size() && text.at(at).isLowSurrogate() ? at - 1 : at;
+}
+
+/// Shortens a text beyond 200 characters in its middle.
+QString shortMiddle(const QString& text)
+{
+    constexpr qsizetype kMostShown = 200, kBeginShown = 140;
+    if (text.size() <= kMostShown) return text;
+    return text.left(cutBefore(text, kBeginShown)) + QChar(0x2026)
+         + text.mid(cutBefore(text, text.size() - (kMostShown - kBeginShown - 1)));
+}
+
+/// Shortens two long texts so that their first difference stays: their common beginning becomes "…".
+void shortenBoth(QString& before, QString& now)
+{
+    constexpr qsizetype kWhole = 60, kSharedPart = 20;
+    if (std::max(before.size(), now.size()) <= kWhole) return;
+    const qsizetype least = std::min(before.size(), now.size());
+    qsizetype common = 0;
+    while (common < least && before.at(common) == now.at(common)) ++common;
+    const qsizetype folder =
+        common > 0 ? before.left(common).lastIndexOf(QLatin1Char('/')) : qsizetype(-1);
+    const qsizetype cut = cutBefore(before, std::max(folder, common - kSharedPart));
+    if (cut > 1)
+        for (QString* const text : {&before, &now}) *text = QChar(0x2026) + text->mid(cut);
+    before = shortMiddle(before);
+    now = shortMiddle(now);
+}
+
+QString shownControl(const std::optional<PadControl>& control)
+{
+    if (!control) return QCoreApplication::translate("PreferenceText", "none");
+    const auto* const stick = std::get_if<PadStick>(&*control);
+    if (!stick) return controlName(*control);
+    const char* const sentence = stick->forward < 0
+                                   ? QT_TRANSLATE_NOOP("PreferenceText", "%1, forward −")
+                                   : QT_TRANSLATE_NOOP("PreferenceText", "%1, forward +");
+    return QCoreApplication::translate("PreferenceText", sentence).arg(controlName(*control));
+}
+
+/// Adds a change per action of the gamepad.
+void addPadChanges(const PadMapping& before, const PadMapping& now, const QString& key,
+                   std::vector<PreferenceChange>& changes)
+{
+    for (std::size_t i = 0; i < kPadActions; ++i) {
+        const auto action = static_cast<PadAction>(i);
+        if (before[action] == now[action]) continue;
+        changes.push_back(
+            {key,
+             QCoreApplication::translate("PreferenceText", "gamepad: %1").arg(actionName(action)),
+             shownControl(before[action]), shownControl(now[action]), isSafetyRelevant(key)});
+    }
 }
 
 }  // namespace
@@ -94,8 +152,13 @@ std::vector<PreferenceChange> changesBetween(const Preferences& before, const Pr
     for (std::size_t i = 0; i < old.size(); ++i) {
         const QString key = QLatin1String(old[i].key);
         if (old[i].text == wanted[i].text || !described(key)) continue;
-        changes.push_back({key, preferenceLabel(key), shownText(old[i]), shownText(wanted[i]),
-                           isSafetyRelevant(key)});
+        if (key == QLatin1String("gamepad")) {
+            addPadChanges(before.pad.mapping, now.pad.mapping, key, changes);
+            continue;
+        }
+        QString was = shownText(old[i]), will = shownText(wanted[i]);
+        shortenBoth(was, will);
+        changes.push_back({key, preferenceLabel(key), was, will, isSafetyRelevant(key)});
     }
     std::stable_partition(changes.begin(), changes.end(),
                           [](const PreferenceChange& change) { return change.isSafety; });

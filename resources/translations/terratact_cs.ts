@@ -963,6 +963,18 @@
         <source>none</source>
         <translation>nic</translation>
     </message>
+    <message>
+        <source>%1, forward −</source>
+        <translation>%1, vpřed −</translation>
+    </message>
+    <message>
+        <source>%1, forward +</source>
+        <translation>%1, vpřed +</translation>
+    </message>
+    <message>
+        <source>gamepad: %1</source>
+        <translation>gamepad: %1</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>

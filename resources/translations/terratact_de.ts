@@ -963,6 +963,18 @@
         <source>none</source>
         <translation>nichts</translation>
     </message>
+    <message>
+        <source>%1, forward −</source>
+        <translation>%1, vorwärts −</translation>
+    </message>
+    <message>
+        <source>%1, forward +</source>
+        <translation>%1, vorwärts +</translation>
+    </message>
+    <message>
+        <source>gamepad: %1</source>
+        <translation>Gamepad: %1</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>

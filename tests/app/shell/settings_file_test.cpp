@@ -163,5 +163,44 @@ TEST(PreferenceText, namesEverySettingAndPutsSafetyFirst)
     EXPECT_TRUE(changesBetween(another(), another()).empty());
 }
 
+TEST(PreferenceText, namesEveryChangedActionOfTheGamepad)
+{
+    Preferences now;
+    now.pad.mapping = *PadMapping::parse(
+        "stop:rightshoulder dead-man:righttrigger drive:lefty+ feel-forward:lefttrigger explore:x "
+        "approve:b refuse:a raise-limit:dpup lower-limit:dpdown");
+    const auto changes = changesBetween(Preferences{}, now);
+    QStringList lines;
+    for (const PreferenceChange& change : changes) {
+        EXPECT_TRUE(change.isSafety) << change.label.toStdString();
+        lines << change.label + ": " + change.before + " → " + change.now;
+    }
+    EXPECT_EQ(lines, (QStringList{
+                         "gamepad: STOP, second control: Back → none",
+                         "gamepad: drive: left stick, up and down, forward − → left stick, up and "
+                         "down, forward +",
+                         "gamepad: approve the probe (hold): A (lower) → B (right)",
+                         "gamepad: refuse the probe: B (right) → A (lower)"}))
+        << lines.join("\n").toStdString();
+}
+
+TEST(PreferenceText, longPathsShowWhereTheyDiffer)
+{
+    const QString folder = "/home/operator" + QString("/robots of the team").repeated(8);
+    Preferences before, now;
+    before.robot = folder + "/a.toml";
+    now.robot = folder + "/b.toml";
+    before.model = "/" + QString(300, 'x') + "a.model";
+    now.model = "/" + QString(300, 'x') + "b" + QString(400, 'y') + ".model";
+    const auto changes = changesBetween(before, now);
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[0].before, "…" + QString(20, 'x') + "a.model");
+    EXPECT_TRUE(changes[0].now.startsWith("…" + QString(20, 'x') + "by"));
+    EXPECT_TRUE(changes[0].now.endsWith("y.model"));
+    EXPECT_EQ(changes[0].now.size(), 200);
+    EXPECT_EQ(changes[1].before, "…/a.toml");
+    EXPECT_EQ(changes[1].now, "…/b.toml");
+}
+
 }  // namespace
 }  // namespace terratact

@@ -1,4 +1,4 @@
-#include "app/console/pad_text.h"
+#include "app/shell/pad_text.h"
 
 #include <QCoreApplication>
 
