@@ -11,6 +11,7 @@
 #include "app/console/connect_window.h"
 #include "app/console/demo.h"
 #include "app/console/main_window.h"
+#include "app/console/next_start.h"
 #include "app/console/robot_connection.h"
 #include "app/console/session_retention.h"
 #include "app/display/format.h"
@@ -151,16 +152,6 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     QTimer::singleShot(0, house, &SessionRetention::start);
 }
 
-/// Returns the options of a start with another robot.
-ConsoleOptions connectedTo(ConsoleOptions options, const ConnectionWish& wish)
-{
-    options.can = wish.can;
-    options.transmit = wish.transmit;
-    options.replay.clear();
-    options.interface.clear();
-    return options;
-}
-
 /// Opens one window; returns kReopen to request another, of the options that it leaves.
 Result<int> openOnce(Application& application, ConsoleOptions& options, Lasting& lasting)
 {
@@ -217,13 +208,15 @@ Result<int> openConsole(Application& application, const ConsoleOptions& options)
     ConsoleOptions now = options;
     for (;;) {
         auto ended = openOnce(application, now, lasting);
-        if (!ended && lasting.former) {  // back to what worked, with the reason
-            lasting.trouble =
-                Message(TR_NOOP("OpenConsole", "not connected: %1"), ended.error().message);
-            now = *std::exchange(lasting.former, std::nullopt);
+        if (!ended) {
+            auto next = startAfter(now, std::exchange(lasting.former, std::nullopt),
+                                   lasting.trouble, ended.error().message);
+            if (!next) return ended;
+            now = std::move(next->options);
+            lasting.trouble = std::move(next->why);
             continue;
         }
-        if (!ended || *ended != kReopen) return ended;
+        if (*ended != kReopen) return ended;
     }
 }
 

@@ -438,6 +438,10 @@
         <source>not connected: %1</source>
         <translation>nepřipojeno: %1</translation>
     </message>
+    <message>
+        <source>%1. The former connection failed, too: %2. This is the simulated robot</source>
+        <translation>%1. Selhalo i předchozí připojení: %2. Toto je simulovaný robot</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>

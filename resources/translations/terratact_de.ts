@@ -438,6 +438,10 @@
         <source>not connected: %1</source>
         <translation>nicht verbunden: %1</translation>
     </message>
+    <message>
+        <source>%1. The former connection failed, too: %2. This is the simulated robot</source>
+        <translation>%1. Auch die vorige Verbindung scheiterte: %2. Dies ist der simulierte Roboter</translation>
+    </message>
 </context>
 <context>
     <name>OpenFile</name>
