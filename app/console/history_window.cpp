@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/console/past_text.h"
 #include "app/mission/estimate_history.h"
@@ -61,7 +62,8 @@ HistoryWindow::HistoryWindow(const EstimateHistory& history, QWidget* parent)
     column->addWidget(state_);
     column->addWidget(list_, 1);
     column->addLayout(row);
-    connect(list_, &QListWidget::currentItemChanged, this, [this] {
+    // Not currentItemChanged: a list that gets the focus makes its first row current by itself.
+    connect(list_, &QListWidget::itemSelectionChanged, this, [this] {
         if (const std::int64_t number = chosen()) emit showWanted(number);
     });
     connect(lay_, &QPushButton::clicked, this,
@@ -77,8 +79,8 @@ HistoryWindow::HistoryWindow(const EstimateHistory& history, QWidget* parent)
 
 std::int64_t HistoryWindow::chosen() const
 {
-    const QListWidgetItem* const item = list_->currentItem();
-    return item ? item->data(Qt::UserRole).toLongLong() : 0;
+    const QList<QListWidgetItem*> items = list_->selectedItems();
+    return items.isEmpty() ? 0 : items.first()->data(Qt::UserRole).toLongLong();
 }
 
 void HistoryWindow::setShown(std::int64_t shown, std::int64_t laid, bool canRestore)
@@ -87,6 +89,7 @@ void HistoryWindow::setShown(std::int64_t shown, std::int64_t laid, bool canRest
     if (shown == 0 && shown_ != 0) {
         const QSignalBlocker quiet(list_);
         list_->setCurrentItem(nullptr);
+        list_->clearSelection();
     }
     shown_ = shown;
     laid_ = laid;
@@ -158,6 +161,16 @@ bool HistoryWindow::act(const QKeyEvent& event)
     return true;
 }
 
+/// Chooses the row that has the focus, if none is chosen: an arrow key would pass it over.
+bool HistoryWindow::chooseFirst(const QKeyEvent& event)
+{
+    const bool isArrow = event.key() == Qt::Key_Up || event.key() == Qt::Key_Down;
+    if (!isArrow || event.modifiers() != Qt::NoModifier || chosen() != 0 || list_->count() == 0)
+        return false;
+    list_->setCurrentRow(std::max(list_->currentRow(), 0));
+    return true;
+}
+
 void HistoryWindow::keyPressEvent(QKeyEvent* event)
 {
     if (!act(*event)) QWidget::keyPressEvent(event);
@@ -166,7 +179,10 @@ void HistoryWindow::keyPressEvent(QKeyEvent* event)
 /// The list would search for a row that begins with the letter.
 bool HistoryWindow::eventFilter(QObject* object, QEvent* event)
 {
-    if (event->type() == QEvent::KeyPress && act(*static_cast<QKeyEvent*>(event))) return true;
+    if (event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (act(key) || chooseFirst(key)) return true;
+    }
     return QWidget::eventFilter(object, event);
 }
 

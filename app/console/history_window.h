@@ -12,7 +12,7 @@ namespace terratact {
 class EstimateHistory;
 
 /// The estimates of this run as a list, newest first, each with a thumbnail. It emits what the operator wants to see and
-/// changes nothing itself. Up, Down and the mouse choose an estimate to show; L lays it over the present one; Backspace
+/// changes nothing itself: to open it chooses no estimate. Up, Down and the mouse choose an estimate to show; L lays it over the present one; Backspace
 /// returns to the present; Ctrl+Z brings a hidden estimate back; Esc closes the window.
 class HistoryWindow final : public QWidget {
     Q_OBJECT
@@ -45,7 +45,8 @@ private:
     void fill();
     void showState();
     bool act(const QKeyEvent& event);
-    std::int64_t chosen() const;
+    bool chooseFirst(const QKeyEvent& event);
+    std::int64_t chosen() const;  ///< the selected one, not the one with the focus; 0: none
 
     const EstimateHistory& history_;
     std::int64_t shown_ = 0, laid_ = 0;

@@ -141,6 +141,25 @@ TEST_F(HistoryOf, aHiddenEstimateIsRestoredFromTheList)
     EXPECT_TRUE(eventually([&] { return !panel.restoreButton()->isEnabled(); }));
 }
 
+TEST_F(HistoryOf, openingTheListShowsNothingOfThePast)
+{
+    probed();
+    QTest::keyClick(window.get(), Qt::Key_Delete);
+    ASSERT_TRUE(
+        eventually([&] { return !window->exploration().estimation().estimate().has_value(); }));
+    HistoryWindow& panel = list();
+    ASSERT_TRUE(eventually([&] { return panel.list()->hasFocus(); }));
+    EXPECT_FALSE(window->history().showsPast()) << "the focus is no choice";
+    EXPECT_FALSE(panel.layButton()->isEnabled());
+    QTest::keyClick(panel.list(), Qt::Key_L);
+    EXPECT_EQ(window->history().banner(), QString());
+    QTest::keyClick(panel.list(), Qt::Key_Down);
+    EXPECT_TRUE(pictured(*history().entries()[0].estimate)) << "the first row, not the second";
+    EXPECT_TRUE(window->history().showsPast());
+    QTest::keyClick(panel.list(), Qt::Key_Down);
+    EXPECT_TRUE(pictured(*history().entries()[1].estimate));
+}
+
 TEST_F(HistoryOf, theListIsReachedByKeyboardInEveryTheme)
 {
     probed();
