@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QKeySequence>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QPixmap>
 #include <utility>
 
@@ -81,7 +82,9 @@ void PictureTools::makeMenu()
             [this, middle] { view_.zoomAt(kMenuZoom, middle()); });
     QAction* const all = menu_->addAction(tr("The whole robot") + tab + u'0');
     connect(all, &QAction::triggered, &view_, &TerrainProfileView::resetZoom);
-    connect(menu_, &QMenu::aboutToShow, this, [this, numbers, measures, all] {
+    connect(menu_, &QMenu::aboutToShow, this, [this, exports, numbers, measures, all] {
+        exports->setVisible(
+            isSignalConnected(QMetaMethod::fromSignal(&PictureTools::exportWanted)));
         numbers->setEnabled(view_.estimate().has_value() || view_.measures());
         measures->setChecked(view_.measures());
         all->setEnabled(view_.isZoomed());
@@ -99,7 +102,8 @@ void PictureTools::copyNumbers() const
     if (view_.estimate()) {
         NumbersTable table;
         table.setEstimate(*view_.estimate(), stepLimit_());
-        text = table.text();
+        if (!view_.note().isEmpty()) text = view_.note() + QLatin1Char('\n');
+        text += table.text();
     }
     if (const QStringList lines = view_.measuredLines(); !lines.isEmpty())
         text += lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

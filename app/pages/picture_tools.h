@@ -25,11 +25,12 @@ public:
     QMenu* menu() const { return menu_; }  ///< null before its first use
 
     void copyPicture() const;
-    void copyNumbers() const;  ///< of the estimate, and of a measurement
+    /// Copies the numbers of the estimate, below the picture's note on it, and of a measurement.
+    void copyNumbers() const;
     void measure();  ///< begins to measure in the picture, which gets the focus, or ends it
 
 signals:
-    void exportWanted();
+    void exportWanted();  ///< the menu offers it where something is connected
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;

@@ -77,6 +77,11 @@ void TerrainProfileView::showNote(const QString& note, bool warns)
     arrangeNotes();
 }
 
+QString TerrainProfileView::note() const
+{
+    return note_->text().text();
+}
+
 /// Returns how far a note at the top reaches down [px]; in a narrow plot it has several lines.
 int TerrainProfileView::bottomOf(const QwtPlotTextLabel& note) const
 {

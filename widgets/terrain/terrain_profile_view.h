@@ -78,6 +78,7 @@ public:
     {
         setEstimate(equalSides(plane), note);
     }
+    QString note() const;  ///< the caution or the reason above the profile
     void setShownSides(ShownSides sides);
     ShownSides shownSides() const { return shownSides_; }
     /// Sets the side that is drawn in full while both are shown.

@@ -76,6 +76,25 @@ TEST_F(Pictured, copiesPictureAndNumbers)
     EXPECT_TRUE(QApplication::clipboard()->text().contains("m apart"));
 }
 
+TEST_F(Pictured, numbersBeginWithTheNoteOfThePicture)
+{
+    view.setEstimate(stepEstimate(), "shown: estimate of 12:03:11, not the present one");
+    tools.copyNumbers();
+    const QString numbers = QApplication::clipboard()->text();
+    EXPECT_TRUE(numbers.startsWith("shown: estimate of 12:03:11, not the present one\n"));
+    EXPECT_EQ(numbers.count('\n'), kBins + 2) << numbers.toStdString();
+}
+
+TEST_F(Pictured, exportIsOfferedOnlyWhereItDoesSomething)
+{
+    tools.openMenu({});
+    EXPECT_FALSE(action("Export")->isVisible());
+    tools.menu()->close();
+    const QSignalSpy wanted(&tools, &PictureTools::exportWanted);
+    tools.openMenu({});
+    EXPECT_TRUE(action("Export")->isVisible());
+}
+
 TEST_F(Pictured, measuresZoomsAndExports)
 {
     QSignalSpy wanted(&tools, &PictureTools::exportWanted);
