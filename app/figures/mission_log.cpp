@@ -130,13 +130,15 @@ MissionLine lineOf(const EventRow& event)
             kindText(event.kind) + (subject.empty() ? "" : fmt::format(": {}", subject)), numbers};
 }
 
+/// Returns the lines in the order of time; of the estimates the first maxRows alone, because only those can be shown.
 Result<std::vector<MissionLine>> linesOf(SessionReader& session, const RobotModel& robot,
-                                         const std::function<bool(double)>& progress)
+                                         const std::function<bool(double)>& progress,
+                                         std::size_t maxRows)
 {
     std::vector<MissionLine> lines;
     ReviewMoments moments(session, robot);
     const std::size_t count = session.estimates().size();
-    for (std::size_t k = 0; k < std::min(count, kMaxReportRows); ++k) {
+    for (std::size_t k = 0; k < std::min(count, maxRows); ++k) {
         if (progress && !progress(static_cast<double>(k) / static_cast<double>(count)))
             return fileError(session.path(), "no report: ended before all was read");
         auto line = lineOf(session, session.estimates()[k], robot, moments);
@@ -195,25 +197,25 @@ std::vector<AlarmSpan> alarmsOf(const SessionReader& session)
 }  // namespace
 
 Result<DocumentPart> missionDecisions(SessionReader& session, const RobotModel& robot,
-                                      const std::function<bool(double)>& progress)
+                                      const std::function<bool(double)>& progress,
+                                      std::size_t maxRows)
 {
-    auto lines = linesOf(session, robot, progress);
+    auto lines = linesOf(session, robot, progress, maxRows);
     if (!lines) return lines.error();
+    const std::size_t estimates = session.estimates().size();
+    const std::size_t all = lines->size() + estimates - std::min(estimates, maxRows);
     DocumentPart part{
         .heading = "Decisions and their numbers",
         .note = lines->empty() ? "Nothing was estimated and nobody decided anything." : "",
         .facts = {},
         .pictures = {},
         .table = {{"UTC", "since start", "what", "numbers"}, {1.4, 1.2, 2.5, 6.9}, {}}};
-    part.table.rows.reserve(std::min(lines->size(), kMaxReportRows) + 1);
-    for (MissionLine& line : *lines) {
-        if (part.table.rows.size() == kMaxReportRows) {
-            part.table.rows.push_back(restRow(lines->size() - kMaxReportRows, 4));
-            break;
-        }
+    lines->resize(std::min(lines->size(), maxRows));
+    part.table.rows.reserve(lines->size() + 1);
+    for (MissionLine& line : *lines)
         part.table.rows.push_back({clockText(session.start(), line.time), momentText(line.time),
                                    std::move(line.what), std::move(line.numbers)});
-    }
+    if (all > maxRows) part.table.rows.push_back(restRow(all - maxRows, 4));
     return part;
 }
 
@@ -237,7 +239,7 @@ DocumentPart missionAlarms(const SessionReader& session)
     return part;
 }
 
-DocumentPart missionSettings(const SessionReader& session)
+DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows)
 {
     DocumentPart part{.heading = "Settings in force",
                       .note = "Settings of the estimates, from each change on. Other settings are "
@@ -246,15 +248,20 @@ DocumentPart missionSettings(const SessionReader& session)
                       .pictures = {},
                       .table = {{"from", "estimate", "settings"}, {1.3, 1.7, 9.0}, {}}};
     std::map<bool, std::string> last;
+    std::size_t rest = 0;
     for (const EstimateRow& row : session.estimates()) {
         const bool isSecond = row.role == EstimateRole::Second;
         const std::string text = fmt::format(
             "{}, step limit {} m", settingsText(row.estimate.side[0].settings), row.stepLimit);
         if (std::exchange(last[isSecond], text) == text) continue;
-        if (part.table.rows.size() == kMaxReportRows) break;
+        if (part.table.rows.size() == maxRows) {
+            ++rest;
+            continue;
+        }
         part.table.rows.push_back(
             {momentText(row.time), fmt::format("{}{}", row.id, isSecond ? " (second)" : ""), text});
     }
+    if (rest > 0) part.table.rows.push_back(restRow(rest, 3));
     if (part.table.rows.empty()) part.note = "Nothing was estimated, so no settings are recorded.";
     return part;
 }

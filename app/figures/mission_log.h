@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include "app/figures/report_document.h"
@@ -16,13 +17,15 @@ inline constexpr std::size_t kMaxReportRows = 20'000;
 /// actions with what was on the screen, phases, arming, link states and notes. Words of the event list and alarms are
 /// left out. An estimate has its error where the truth was recorded. Errors name the session's file: the draws of an
 /// estimate cannot be read. progress(share) cancels by returning false, which is an Error.
+/// Beyond maxRows a last row has the number of rows that are left out.
 Result<DocumentPart> missionDecisions(SessionReader& session, const RobotModel& robot,
-                                      const std::function<bool(double)>& progress = {});
+                                      const std::function<bool(double)>& progress = {},
+                                      std::size_t maxRows = kMaxReportRows);
 
 /// Returns each alarm with the times at which it was raised and acknowledged, and at which its cause was gone.
 DocumentPart missionAlarms(const SessionReader& session);
 
 /// Returns the settings of the estimates, a row from each change on.
-DocumentPart missionSettings(const SessionReader& session);
+DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows = kMaxReportRows);
 
 }  // namespace terratact

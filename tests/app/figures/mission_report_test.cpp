@@ -60,6 +60,33 @@ TEST_F(MissionReport, hasEveryDecisionWithItsNumbersInTheOrderOfTime)
     EXPECT_TRUE(std::ranges::is_sorted(log.table.rows, {}, [](const Row& row) { return row[0]; }));
 }
 
+TEST_F(MissionReport, countsEveryRowThatDoesNotFit)
+{
+    const auto whole = missionDecisions(reader, *readRobotModel(kRobot));
+    ASSERT_TRUE(whole) << whole.error().text;
+    const std::size_t all = whole->table.rows.size();
+    ASSERT_GT(reader.estimates().size(), 1U) << "an estimate must be left out";
+    for (const std::size_t most : {std::size_t{1}, all - 1}) {
+        const auto part = missionDecisions(reader, *readRobotModel(kRobot), {}, most);
+        ASSERT_TRUE(part) << part.error().text;
+        ASSERT_EQ(part->table.rows.size(), most + 1);
+        EXPECT_EQ(part->table.rows.back().back(),
+                  "… and " + std::to_string(all - most) + " more in the session");
+    }
+    const auto exact = missionDecisions(reader, *readRobotModel(kRobot), {}, all);
+    ASSERT_TRUE(exact) << exact.error().text;
+    EXPECT_EQ(exact->table.rows, whole->table.rows);
+}
+
+TEST_F(MissionReport, saysHowManySettingsDoNotFit)
+{
+    const std::size_t all = missionSettings(reader).table.rows.size();
+    ASSERT_GE(all, 1U);
+    const DocumentPart part = missionSettings(reader, all - 1);
+    ASSERT_EQ(part.table.rows.size(), all);
+    EXPECT_EQ(part.table.rows.back().back(), "… and 1 more in the session");
+}
+
 TEST_F(MissionReport, hasTheSealTheHashesAndTheGround)
 {
     const auto report = missionReportOf(reader);
