@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/shell/console_window.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
@@ -83,7 +84,20 @@ void SecondView::open()
     const QScreen* const screen = otherScreen(*parentWidget());
     if (screen && screen != parentWidget()->screen())
         move(screen->availableGeometry().center() - rect().center());
+    else if (const auto* console = qobject_cast<const ConsoleWindow*>(parentWidget())) {
+        setWindowState(windowState() & ~Qt::WindowFullScreen);
+        console->putBelowHeader(*this);
+    }
     QWidget::show();
+}
+
+/// Fills a screen of its own; on the console's screen only the room below the header, which has STOP.
+void SecondView::fillScreen()
+{
+    const auto* console = qobject_cast<const ConsoleWindow*>(parentWidget());
+    if (!console || screen() != console->screen()) return showFullScreen();
+    resize(console->roomBelowHeader());
+    console->putBelowHeader(*this);
 }
 
 void SecondView::arrange()
@@ -106,7 +120,7 @@ void SecondView::keyPressEvent(QKeyEvent* event)
     const bool closes = event->key() == Qt::Key_Escape
                      || (event->key() == Qt::Key_D && event->modifiers() == Qt::ControlModifier);
     if (closes) return void(close());
-    if (event->key() == Qt::Key_F11) return isFullScreen() ? showNormal() : showFullScreen();
+    if (event->key() == Qt::Key_F11) return isFullScreen() ? showNormal() : fillScreen();
     QWidget::keyPressEvent(event);
 }
 

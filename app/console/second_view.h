@@ -10,7 +10,7 @@ class PlainLabel;
 
 /// A window for a second screen: the terrain, the verdict, the memory line and the drive strip, as the console shows
 /// them, stale data included. Nothing in it commands the robot or changes the verdict. It follows theme and font. F11
-/// fills its screen, Esc and Ctrl+D close it.
+/// fills its screen, but never covers the console's header. Esc and Ctrl+D close it.
 class SecondView final : public QWidget {
     Q_OBJECT
 public:
@@ -20,7 +20,8 @@ public:
     /// Shows what the console shows. limits: those of the console's page; banner: its link banner, empty: none.
     void show(const TerrainViewState& viewState, double stepLimit, double threshold,
               const QString& banner);
-    /// Opens the window without taking the keys from the console, on another screen if there is one.
+    /// Opens the window without taking the keys from the console, on another screen if there is one, else
+    /// below the console's header.
     void open();
     TerrainPage* page() const { return page_; }
     PlainLabel* banner() const { return banner_; }
@@ -31,6 +32,7 @@ protected:
 
 private:
     void arrange();
+    void fillScreen();
     void forbid();
 
     double threshold_ = -1.0;

@@ -89,14 +89,31 @@ TEST_F(SecondWindow, leavesTheKeysToTheConsoleAndCloses)
     EXPECT_EQ(window->secondView(), nullptr) << "it is made at its first use";
     openBoth();
     EXPECT_TRUE(window->secondView()->testAttribute(Qt::WA_ShowWithoutActivating));
-    QTest::keyClick(window->secondView(), Qt::Key_F11);
-    EXPECT_TRUE(window->secondView()->isFullScreen());
     QTest::keyClick(window->secondView(), Qt::Key_Escape);
     EXPECT_FALSE(window->secondView()->isVisible());
     QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
     EXPECT_TRUE(window->secondView()->isVisible());
     QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
     EXPECT_FALSE(window->secondView()->isVisible());
+}
+
+TEST_F(SecondWindow, leavesTheHeaderFreeOnTheOnlyScreen)
+{
+    open(fastRobot(robot, 2.0));
+    ASSERT_EQ(QApplication::screens().size(), 1);
+    QTest::keyClick(window.get(), Qt::Key_D, Qt::ControlModifier);
+    SecondView& second = *window->secondView();
+    const QRect header = onScreen(*window->header());
+    EXPECT_FALSE(second.frameGeometry().intersects(header));
+    QTest::keyClick(&second, Qt::Key_F11);
+    EXPECT_FALSE(second.isFullScreen());
+    EXPECT_FALSE(second.frameGeometry().intersects(header)) << "with F11";
+    EXPECT_EQ(second.size(), window->roomBelowHeader()) << "it takes the room there is";
+    second.close();
+    second.setWindowState(Qt::WindowFullScreen);  // as left on a screen that is gone
+    second.open();
+    EXPECT_FALSE(second.isFullScreen());
+    EXPECT_FALSE(second.frameGeometry().intersects(header)) << "opened again";
 }
 
 TEST_F(SecondWindow, followsThemeAndLetters)
