@@ -46,6 +46,7 @@ class LivePlots;
 class LogReplay;
 class ReplayBar;
 class SecondView;
+struct SnapshotFiles;
 class SnapshotNote;
 class SnapshotWriter;
 class SessionEventLogger;
@@ -165,7 +166,9 @@ private:
     void redraw();
     void showTerrain();
     void showSecondView(const TerrainViewState& viewState);
-    void noteSnapshot(const QString& note);
+    void snapshotWritten(const SnapshotFiles& files, const QString& trouble);
+    void noteSnapshot(const SnapshotFiles& files, const QString& note);
+    bool isRecording(const SnapshotFiles& files) const;  ///< the session beside the files
     void soundContact(const FlipperContacts& contacts, const Measurement* measurement);
     void tickPanel(double now);
     void releaseStop();
@@ -253,7 +256,6 @@ private:
     SecondView* secondView_ = nullptr;
     SnapshotNote* snapshotNote_ = nullptr;
     SnapshotWriter* snapshotWriter_ = nullptr;
-    std::string snapshot_;  ///< path of the last one without ending
     QString robotDetails_;
 };
 

@@ -5,6 +5,7 @@
 #include <QPixmap>
 #include <vector>
 
+#include "app/console/history_control.h"
 #include "app/console/main_window.h"
 #include "app/console/profile_menu.h"
 #include "app/console/second_view.h"
@@ -87,8 +88,14 @@ void MainWindow::showSecondView(const TerrainViewState& viewState)
                           exploration_->options().settings.forceThreshold, linkStatus_->banner());
 }
 
+/// Saves the present: numbers of the past in a file could be taken for those of now.
 void MainWindow::takeSnapshot()
 {
+    if (snapshotWriter_ && snapshotWriter_->isWriting())
+        return showWhyNot(
+            TR_NOOP("terratact::MainWindow", "a snapshot is still being written: try again"));
+    history_->showPresent();
+    redraw();
     const bool isRecorded = eventLogger_ && recorder_->state().recording;
     const QDateTime utc = QDateTime::currentDateTimeUtc();
     const SnapshotFiles files =
@@ -101,38 +108,47 @@ void MainWindow::takeSnapshot()
         numbers += '\n' + csvOfTable(numbers_->table()->text()).toStdString();
     if (!snapshotWriter_) {
         snapshotWriter_ = new SnapshotWriter(this);
-        connect(snapshotWriter_, &SnapshotWriter::wrote, this,
-                [this](const QString& /*base*/, const QString& trouble) {
-                    if (!trouble.isEmpty())
-                        showWhyNot({TR_NOOP("terratact::MainWindow", "SNAPSHOT NOT SAVED: %1"),
-                                    verbatim(trouble)});
-                });
-    }
-    snapshotWriter_->write(files, grab().toImage(), std::move(numbers));
-    if (isRecorded) eventLogger_->snapshot(files.name());
-    const Message saved =
-        isRecorded
-            ? Message(TR_NOOP("terratact::MainWindow", "snapshot %1, beside the session"),
-                      files.name().toStdString())
-            : Message(TR_NOOP("terratact::MainWindow", "no session records; the snapshot is in %1"),
-                      files.picture());
-    log(saved, EventSeverity::Note);
-    notice_->show(translated(saved), steadyNow());
-    snapshot_ = isRecorded ? std::string() : files.base;
-    if (!snapshotNote_) {
+        connect(snapshotWriter_, &SnapshotWriter::wrote, this, &MainWindow::snapshotWritten);
         snapshotNote_ = new SnapshotNote(*this);
         connect(snapshotNote_, &SnapshotNote::noted, this, &MainWindow::noteSnapshot);
     }
+    snapshotWriter_->write(files, grab().toImage(), std::move(numbers));
     putBelowHeader(*snapshotNote_);
-    snapshotNote_->ask(translated(saved));
+    snapshotNote_->ask(files, tr("snapshot %1 is being written").arg(files.name()));
 }
 
-/// Keeps a note in the session; beside the files of the snapshot, where none was recorded.
-void MainWindow::noteSnapshot(const QString& note)
+/// Reports a snapshot once its files are there.
+void MainWindow::snapshotWritten(const SnapshotFiles& files, const QString& trouble)
 {
-    if (snapshot_.empty()) return eventLogger_->noteSnapshot(note);
-    const Status done =
-        writeFileAtomically(SnapshotFiles{snapshot_}.note(), note.toStdString() + '\n');
+    if (!trouble.isEmpty()) {
+        const Message failed{TR_NOOP("terratact::MainWindow", "SNAPSHOT NOT SAVED: %1"),
+                             verbatim(trouble)};
+        showWhyNot(failed);
+        return snapshotNote_->setWritten(translated(failed));
+    }
+    if (isRecording(files)) eventLogger_->snapshot(files.name());
+    const Message saved =
+        files.session.empty()
+            ? Message(TR_NOOP("terratact::MainWindow", "no session records; the snapshot is in %1"),
+                      files.picture())
+            : Message(TR_NOOP("terratact::MainWindow", "snapshot %1, beside the session"),
+                      files.name().toStdString());
+    log(saved, EventSeverity::Note);
+    notice_->show(translated(saved), steadyNow());
+    snapshotNote_->setWritten(translated(saved));
+}
+
+bool MainWindow::isRecording(const SnapshotFiles& files) const
+{
+    return eventLogger_ && !files.session.empty() && recorder_->state().recording
+        && recorder_->state().path == files.session;
+}
+
+/// Keeps a note in the session; beside the files of the snapshot, where that session does not record.
+void MainWindow::noteSnapshot(const SnapshotFiles& files, const QString& note)
+{
+    if (isRecording(files)) return eventLogger_->noteSnapshot(files.name(), note);
+    const Status done = writeFileAtomically(files.note(), note.toStdString() + '\n');
     if (!done) showWhyNot(done.error().message);
 }
 

@@ -4,12 +4,15 @@
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/display/format.h"
@@ -26,10 +29,22 @@ QString writeSnapshot(const SnapshotFiles& files, const QImage& picture, const s
 {
     QBuffer png;
     png.open(QIODevice::WriteOnly);
-    picture.save(&png, "PNG");
-    Status done = writeFileAtomically(files.picture(), png.data().toStdString());
-    if (done) done = writeFileAtomically(files.numbers(), numbers);
-    return done ? QString() : translated(done.error().message);
+    if (!picture.save(&png, "PNG"))
+        return SnapshotWriter::tr("%1: the picture cannot be coded; take the snapshot again")
+            .arg(QString::fromStdString(files.picture()));
+    if (const Status done = writeFileAtomically(files.picture(), png.data().toStdString()); !done)
+        return translated(done.error().message);
+    const Status done = writeFileAtomically(files.numbers(), numbers);
+    if (done) return {};
+    QFile::remove(QString::fromStdString(files.picture()));  // half a snapshot
+    return translated(done.error().message);
+}
+
+bool isTaken(const SnapshotFiles& files)
+{
+    return std::ranges::any_of(
+        std::array{files.picture(), files.numbers(), files.note()},
+        [](const std::string& path) { return QFileInfo::exists(QString::fromStdString(path)); });
 }
 
 }  // namespace
@@ -53,24 +68,28 @@ SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc)
              + QStringLiteral("-snapshot-");
     }
     base += utc.toString(QStringLiteral("HHmmss-zzz"));
-    QString free = base;
-    for (int k = 2; QFileInfo::exists(free + QStringLiteral(".png")); ++k)
-        free = base + QLatin1Char('-') + QString::number(k);
-    return {free.toStdString()};
+    SnapshotFiles files{base.toStdString(), session};
+    for (int k = 2; isTaken(files); ++k)
+        files.base = (base + QLatin1Char('-') + QString::number(k)).toStdString();
+    return files;
 }
 
-void SnapshotWriter::write(const SnapshotFiles& files, const QImage& picture, std::string numbers)
+bool SnapshotWriter::write(const SnapshotFiles& files, const QImage& picture, std::string numbers)
 {
-    if (thread_.joinable()) thread_.join();
+    if (isWriting_) return false;
+    isWriting_ = true;
+    // The last thread ends as soon as it has posted its result, so this waits for nothing.
     thread_ = std::jthread([this, files, picture, numbers = std::move(numbers)] {
         const QString trouble = writeSnapshot(files, picture, numbers);
         QMetaObject::invokeMethod(
             this,
-            [this, base = QString::fromStdString(files.base), trouble] {
-                emit wrote(base, trouble);
+            [this, files, trouble] {
+                isWriting_ = false;
+                emit wrote(files, trouble);
             },
             Qt::QueuedConnection);
     });
+    return true;
 }
 
 SnapshotNote::SnapshotNote(QWidget& console) : QDialog(&console)
@@ -94,14 +113,33 @@ SnapshotNote::SnapshotNote(QWidget& console) : QDialog(&console)
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(this, &QDialog::accepted, this, [this] {
-        if (const QString note = field_->text().trimmed(); !note.isEmpty()) emit noted(note);
-    });
+    connect(this, &QDialog::accepted, this, &SnapshotNote::take);
 }
 
-void SnapshotNote::ask(const QString& name)
+void SnapshotNote::take()
 {
-    name_->setText(name);
+    const QString note = field_->text().trimmed();
+    field_->clear();
+    if (note.isEmpty()) return;
+    if (!isWritten_)
+        early_ = note;
+    else
+        emit noted(files_, note);
+}
+
+void SnapshotNote::setWritten(const QString& text)
+{
+    isWritten_ = true;
+    name_->setText(text);
+    if (!early_.isEmpty()) emit noted(files_, std::exchange(early_, {}));
+}
+
+void SnapshotNote::ask(const SnapshotFiles& files, const QString& text)
+{
+    if (isVisible()) take();
+    files_ = files;
+    isWritten_ = false;
+    name_->setText(text);
     field_->clear();
     show();
     raise();

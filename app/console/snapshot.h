@@ -14,7 +14,8 @@ namespace terratact {
 
 /// The files of a snapshot: a picture, the numbers, and a note where no session holds it.
 struct SnapshotFiles {
-    std::string base;  ///< path without ending
+    std::string base;       ///< path without ending
+    std::string session{};  ///< path of the session beside them; empty: none records
     std::string picture() const { return base + ".png"; }
     std::string numbers() const { return base + ".csv"; }
     std::string note() const { return base + ".txt"; }
@@ -22,37 +23,49 @@ struct SnapshotFiles {
 };
 
 /// Returns the files of a snapshot at a time (UTC). They lie beside the session; where no session records (an empty path),
-/// in the operator's folder of pictures. No file of that name exists.
+/// in the operator's folder of pictures. No file of those names exists.
 SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc);
 
-/// Writes snapshots in a thread of its own, because coding a picture takes longer than a frame of the console.
+/// Writes snapshots, one at a time, in a thread of its own: a picture takes longer than a frame of the console, and a
+/// disk may be slow. No call waits for the thread; only the destructor does.
 class SnapshotWriter final : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
-    void write(const SnapshotFiles& files, const QImage& picture, std::string numbers);
+    bool isWriting() const { return isWriting_; }
+    /// Returns false, and writes nothing, while another snapshot is being written.
+    bool write(const SnapshotFiles& files, const QImage& picture, std::string numbers);
 
 signals:
-    /// trouble: empty if both files were written. Emitted in the GUI thread.
-    void wrote(const QString& base, const QString& trouble);
+    /// trouble: empty if both files were written; else there is none of them. Emitted in the GUI thread.
+    void wrote(const terratact::SnapshotFiles& files, const QString& trouble);
 
 private:
+    bool isWriting_ = false;
     std::jthread thread_;
 };
 
 /// Asks for the note of a snapshot. It blocks no window: the console goes on, and its keys are let go as it loses the
-/// focus. Enter saves the note, Esc leaves the snapshot without one.
+/// focus. Enter saves the note, Esc leaves the snapshot without one. A note is emitted when the files are written.
 class SnapshotNote final : public QDialog {
     Q_OBJECT
 public:
     explicit SnapshotNote(QWidget& console);
-    void ask(const QString& name);  ///< name: of the snapshot
+    /// Asks for the note of the next snapshot. What was typed for the last one is saved as its note.
+    void ask(const SnapshotFiles& files, const QString& text);
+    /// The files of that snapshot are written, or could not be.
+    void setWritten(const QString& text);
     QLineEdit* field() const { return field_; }
 
 signals:
-    void noted(const QString& note);
+    void noted(const terratact::SnapshotFiles& files, const QString& note);
 
 private:
+    void take();
+
+    SnapshotFiles files_;
+    QString early_;  ///< a note that came before the files were written
+    bool isWritten_ = true;
     QLabel* name_ = nullptr;
     QLineEdit* field_ = nullptr;
 };

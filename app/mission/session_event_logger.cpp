@@ -198,9 +198,9 @@ void SessionEventLogger::snapshot(const QString& name)
     log(EventKind::Marker, "snapshot", verbatim(name));
 }
 
-void SessionEventLogger::noteSnapshot(const QString& note)
+void SessionEventLogger::noteSnapshot(const QString& name, const QString& note)
 {
-    log(EventKind::Marker, "snapshot note", verbatim(note));
+    log(EventKind::Marker, "snapshot note", verbatim(name + QStringLiteral(": ") + note));
 }
 
 std::string SessionEventLogger::shown() const

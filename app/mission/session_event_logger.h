@@ -30,9 +30,9 @@ public:
 
     /// Records a marker of the operator.
     void mark(const QString& note);
-    /// Records a snapshot by the name of its files, and the note on it.
+    /// Records a snapshot by the name of its files, and a note on it.
     void snapshot(const QString& name);
-    void noteSnapshot(const QString& note);
+    void noteSnapshot(const QString& name, const QString& note);
 
     /// A line of the list of events, as text.
     void word(const Message& text, EventSeverity severity);

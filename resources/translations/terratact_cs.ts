@@ -7186,6 +7186,14 @@ F1</translation>
         <source>no session records; the snapshot is in %1</source>
         <translation>nic se nezaznamenává; snímek je v %1</translation>
     </message>
+    <message>
+        <source>a snapshot is still being written: try again</source>
+        <translation>snímek se ještě zapisuje: zkuste to znovu</translation>
+    </message>
+    <message>
+        <source>snapshot %1 is being written</source>
+        <translation>snímek %1 se zapisuje</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -10109,6 +10117,13 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>No note</source>
         <translation>Bez poznámky</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SnapshotWriter</name>
+    <message>
+        <source>%1: the picture cannot be coded; take the snapshot again</source>
+        <translation>%1: obrázek nelze zakódovat; pořiďte snímek znovu</translation>
     </message>
 </context>
 <context>

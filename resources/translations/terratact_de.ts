@@ -7186,6 +7186,14 @@ F1</translation>
         <source>no session records; the snapshot is in %1</source>
         <translation>keine Aufzeichnung läuft; der Schnappschuss liegt in %1</translation>
     </message>
+    <message>
+        <source>a snapshot is still being written: try again</source>
+        <translation>ein Schnappschuss wird noch geschrieben: erneut versuchen</translation>
+    </message>
+    <message>
+        <source>snapshot %1 is being written</source>
+        <translation>Schnappschuss %1 wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -10109,6 +10117,13 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>No note</source>
         <translation>Keine Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::SnapshotWriter</name>
+    <message>
+        <source>%1: the picture cannot be coded; take the snapshot again</source>
+        <translation>%1: das Bild lässt sich nicht codieren; den Schnappschuss wiederholen</translation>
     </message>
 </context>
 <context>

@@ -5,12 +5,16 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/console/history_control.h"
+#include "app/console/history_window.h"
 #include "core/log/session_reader.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/temporary_directory.h"
@@ -28,6 +32,10 @@ TEST(SnapshotFiles, lieBesideTheSessionUnderAFreeName)
     EXPECT_EQ(first.base, directory.file("drive-snapshot-120001-250"));
     directory.write("drive-snapshot-120001-250.png", "taken");
     EXPECT_EQ(snapshotFiles(session, kNoon).base, first.base + "-2");
+    directory.write("drive-snapshot-120001-250-2.csv", "taken");
+    EXPECT_EQ(snapshotFiles(session, kNoon).base, first.base + "-3") << "its numbers";
+    directory.write("drive-snapshot-120001-250-3.txt", "taken");
+    EXPECT_EQ(snapshotFiles(session, kNoon).base, first.base + "-4") << "its note";
 }
 
 TEST(SnapshotFiles, lieInAFolderOfTheOperatorWithoutASession)
@@ -43,6 +51,64 @@ TEST(SnapshotWriter, reportsAFolderThatCannotBeWritten)
     writer.write({"/nowhere/at/all"}, QImage(4, 4, QImage::Format_RGB32), "a,b\n");
     ASSERT_TRUE(wrote.wait());
     EXPECT_TRUE(wrote.first().at(1).toString().contains("/nowhere/at/all.png"));
+}
+
+TEST(SnapshotWriter, refusesASecondOneWhileTheFirstIsBeingWritten)
+{
+    const TemporaryDirectory directory;
+    SnapshotWriter writer;
+    QSignalSpy wrote(&writer, &SnapshotWriter::wrote);
+    const QImage picture(4, 4, QImage::Format_RGB32);
+    EXPECT_TRUE(writer.write({directory.file("a")}, picture, "a,b\n"));
+    EXPECT_FALSE(writer.write({directory.file("b")}, picture, "a,b\n"));
+    ASSERT_TRUE(wrote.wait());
+    EXPECT_FALSE(writer.isWriting());
+    EXPECT_TRUE(writer.write({directory.file("b")}, picture, "a,b\n"));
+    ASSERT_TRUE(wrote.wait());
+    EXPECT_TRUE(wrote.last().at(1).toString().isEmpty());
+}
+
+TEST(SnapshotWriter, leavesNothingOfASnapshotThatFails)
+{
+    const TemporaryDirectory directory;
+    SnapshotWriter writer;
+    QSignalSpy wrote(&writer, &SnapshotWriter::wrote);
+    EXPECT_TRUE(writer.write({directory.file("a")}, QImage(), "a,b\n"));
+    ASSERT_TRUE(wrote.wait());
+    EXPECT_TRUE(wrote.last().at(1).toString().contains("cannot be coded"));
+    QDir().mkpath(QString::fromStdString(directory.file("b.csv")));
+    EXPECT_TRUE(writer.write({directory.file("b")}, QImage(4, 4, QImage::Format_RGB32), "a,b\n"));
+    ASSERT_TRUE(wrote.wait());
+    EXPECT_FALSE(wrote.last().at(1).toString().isEmpty());
+    EXPECT_EQ(QDir(QString::fromStdString(directory.file(""))).entryList(QDir::Files),
+              QStringList());
+}
+
+TEST(SnapshotNote, aTypedNoteIsKeptForItsOwnSnapshot)
+{
+    QWidget console;
+    SnapshotNote note(console);
+    std::vector<std::pair<std::string, QString>> noted;
+    QObject::connect(&note, &SnapshotNote::noted, &note,
+                     [&](const SnapshotFiles& files, const QString& text) {
+                         noted.emplace_back(files.base, text);
+                     });
+    using Noted = decltype(noted);
+    note.ask({"/a"}, "a");
+    note.field()->setText("first");
+    note.accept();
+    EXPECT_EQ(noted, Noted()) << "its files are not there yet";
+    note.setWritten("a");
+    EXPECT_EQ(noted, (Noted{{"/a", "first"}}));
+    note.ask({"/b"}, "b");
+    note.setWritten("b");
+    note.field()->setText("second");
+    note.ask({"/c"}, "c");
+    EXPECT_EQ(noted, (Noted{{"/a", "first"}, {"/b", "second"}}));
+    EXPECT_TRUE(note.field()->text().isEmpty());
+    note.reject();
+    note.setWritten("c");
+    EXPECT_EQ(noted.size(), 2U);
 }
 
 struct Snapshots : Console {
@@ -75,7 +141,9 @@ TEST_F(Snapshots, oneKeySavesPictureNumbersAndEvents)
     openRecorded();
     QTest::keyClick(window.get(), Qt::Key_C);
     ASSERT_NE(window->snapshotNote(), nullptr);
-    ASSERT_TRUE(gui::eventually([&] { return files(".csv").size() == 1; }));
+    EXPECT_TRUE(says("is being written")) << "not yet saved";
+    ASSERT_TRUE(gui::eventually([&] { return says("beside the session"); }));
+    ASSERT_EQ(files(".csv").size(), 1);
     ASSERT_EQ(files(".png").size(), 1);
     const QString base = QString::fromStdString(directory.file("sessions/"));
     EXPECT_EQ(QImage(base + files(".png")[0]).size(), window->size());
@@ -97,7 +165,8 @@ TEST_F(Snapshots, oneKeySavesPictureNumbersAndEvents)
     ASSERT_EQ(markers.size(), 2U);
     EXPECT_EQ(markers[0].first, "snapshot");
     EXPECT_EQ(markers[0].second + ".png", files(".png")[0].toStdString());
-    EXPECT_EQ(markers[1], std::pair(std::string("snapshot note"), std::string("smoke, gas 3 %")));
+    EXPECT_EQ(markers[1],
+              std::pair(std::string("snapshot note"), markers[0].second + ": smoke, gas 3 %"));
 }
 
 TEST_F(Snapshots, withoutANoteThereIsOneEvent)
@@ -105,11 +174,35 @@ TEST_F(Snapshots, withoutANoteThereIsOneEvent)
     openRecorded();
     QTest::keyClick(window.get(), Qt::Key_C);
     QTest::keyClick(window->snapshotNote(), Qt::Key_Escape);
+    ASSERT_TRUE(gui::eventually([&] { return says("beside the session"); }));
     const std::string path = recorder->state().path;
     window.reset();
     const auto session = SessionReader::open(path);
     ASSERT_TRUE(session);
     EXPECT_EQ(std::ranges::count(session->events(), EventKind::Marker, &EventRow::kind), 1);
+}
+
+TEST_F(Snapshots, savesThePresentAlone)
+{
+    openRecorded();
+    proposeByKeyboard();
+    QTest::keyClick(window.get(), Qt::Key_N);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_TRUE(gui::eventually([&] { return window->showsEstimate(); }));
+    QTest::keyClick(window.get(), Qt::Key_Delete);
+    ASSERT_TRUE(gui::eventually(
+        [&] { return !window->exploration().estimation().estimate().has_value(); }));
+    window->history().open();
+    window->history().window()->list()->setCurrentRow(0);
+    ASSERT_TRUE(gui::eventually([&] { return says("not the present one. Backspace"); }));
+    window->takeSnapshot();
+    EXPECT_FALSE(window->history().showsPast());
+    EXPECT_FALSE(says("not the present one. Backspace")) << "the picture has no past either";
+    EXPECT_FALSE(window->terrain()->estimate().has_value());
+    window->takeSnapshot();
+    EXPECT_TRUE(gui::eventually([&] { return says("a snapshot is still being written"); }));
+    ASSERT_TRUE(gui::eventually([&] { return says("beside the session"); }));
+    EXPECT_EQ(files(".csv").size(), 1) << "the second one was refused";
 }
 
 TEST_F(Snapshots, theNoteBlocksNothingAndLetsTheRobotHalt)
@@ -143,6 +236,9 @@ TEST_F(Snapshots, withoutASessionItSaysWhereTheFilesAre)
         return says("no session records; the snapshot is in "
                     + QString::fromStdString(directory.file("")));
     }));
+    const QDir folder(QString::fromStdString(directory.file("")));
+    EXPECT_EQ(folder.entryList({"terratact-*.png", "terratact-*.csv"}).size(), 2)
+        << "they are there when it says so";
     qputenv("HOME", home);
 }
 
