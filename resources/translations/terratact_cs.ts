@@ -4928,16 +4928,16 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>složku nelze číst: %1</translation>
     </message>
     <message>
-        <source>its inducing row count is not a number: %1</source>
-        <translation>počet jejích opěrných řádků není číslo: %1</translation>
-    </message>
-    <message>
-        <source>its repeated row count is not a number: %1</source>
-        <translation>počet jejích opakovaných řádků není číslo: %1</translation>
-    </message>
-    <message>
         <source>a memory of the way is expected to hold 103 or 202 numbers in their ranges</source>
         <translation>paměť cesty má obsahovat 103 nebo 202 čísel ve svých mezích</translation>
+    </message>
+    <message>
+        <source>its inducing row count is not a positive whole number: %1</source>
+        <translation>počet jejích opěrných řádků není kladné celé číslo: %1</translation>
+    </message>
+    <message>
+        <source>its repeated row count is not a positive whole number: %1</source>
+        <translation>počet jejích opakovaných řádků není kladné celé číslo: %1</translation>
     </message>
 </context>
 <context>
@@ -7884,8 +7884,8 @@ F1</translation>
         <translation>Rameno sonduje %1</translation>
     </message>
     <message>
-        <source>no probe is proposed; what one would tell:</source>
-        <translation>žádná sonda se nenavrhuje; co by zjistila:</translation>
+        <source>no probe is proposed</source>
+        <translation>žádná sonda není navržena</translation>
     </message>
 </context>
 <context>

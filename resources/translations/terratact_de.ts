@@ -4928,16 +4928,16 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Ordner kann nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>its inducing row count is not a number: %1</source>
-        <translation>die Zahl seiner Stützzeilen ist keine Zahl: %1</translation>
-    </message>
-    <message>
-        <source>its repeated row count is not a number: %1</source>
-        <translation>die Zahl seiner wiederholten Zeilen ist keine Zahl: %1</translation>
-    </message>
-    <message>
         <source>a memory of the way is expected to hold 103 or 202 numbers in their ranges</source>
         <translation>ein Gedächtnis des Weges muss 103 oder 202 Zahlen in ihren Bereichen enthalten</translation>
+    </message>
+    <message>
+        <source>its inducing row count is not a positive whole number: %1</source>
+        <translation>die Zahl seiner Stützzeilen ist keine positive ganze Zahl: %1</translation>
+    </message>
+    <message>
+        <source>its repeated row count is not a positive whole number: %1</source>
+        <translation>die Zahl seiner wiederholten Zeilen ist keine positive ganze Zahl: %1</translation>
     </message>
 </context>
 <context>
@@ -7884,8 +7884,8 @@ F1</translation>
         <translation>Der Arm sondiert: %1</translation>
     </message>
     <message>
-        <source>no probe is proposed; what one would tell:</source>
-        <translation>keine Sondierung vorgeschlagen; was eine ergäbe:</translation>
+        <source>no probe is proposed</source>
+        <translation>keine Sonde vorgeschlagen</translation>
     </message>
 </context>
 <context>

@@ -260,7 +260,7 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
     proposal_.reset();
     worth_ = probe;
     whyNotAsked_ = why;
-    note()->setText(tr("no probe is proposed; what one would tell:"));
+    note()->setText(tr("no probe is proposed"));
     setTone(*note(), Tone::Muted);
     showFacts();
     showPage(kQuestion);

@@ -57,7 +57,8 @@ int inducingFrom(const std::string& text)
 {
     const auto rows = writtenIntegerFrom<int>(text);
     require(rows && *rows > 0, [&] {
-        return Message(TR_NOOP("core", "its inducing row count is not a number: %1"), shown(text));
+        return Message(TR_NOOP("core", "its inducing row count is not a positive whole number: %1"),
+                       shown(text));
     });
     return *rows;
 }
@@ -66,7 +67,8 @@ int repeatsFrom(const std::string& text)
 {
     const auto rows = writtenIntegerFrom<int>(text);
     require(rows && *rows > 0, [&] {
-        return Message(TR_NOOP("core", "its repeated row count is not a number: %1"), shown(text));
+        return Message(TR_NOOP("core", "its repeated row count is not a positive whole number: %1"),
+                       shown(text));
     });
     return *rows;
 }

@@ -76,7 +76,7 @@ TEST_F(ModelFile, storesTheNumberOfInducingRowsIfThereIsOne)
     ASSERT_TRUE(got) << got.error().text;
     EXPECT_EQ(got->data.inducing, 350);
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '-5' WHERE key = 'inducing_rows'",
-                             {"inducing rows", "-5"}));
+                             {"inducing row count", "-5"}));
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '351' WHERE key = 'inducing_rows'",
                              {"content was altered"}));
     ASSERT_TRUE(writeModel(path, model));
@@ -92,7 +92,7 @@ TEST_F(ModelFile, storesTheNumberOfRepeatedRowsIfThereIsOne)
     ASSERT_TRUE(got) << got.error().text;
     EXPECT_EQ(got->data.repeats, 2);
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = 'two' WHERE key = 'repeated_rows'",
-                             {"repeated rows", "two"}));
+                             {"repeated row count", "two"}));
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '3' WHERE key = 'repeated_rows'",
                              {"repeated rows", "out of range"}));
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '1' WHERE key = 'repeated_rows'",
