@@ -45,8 +45,9 @@ The method `trail` estimates a scene from its readings and from that memory. `co
   place of the robot that passed above it, and the load and height of the force elements that pressed near it.
 - **Felt earlier**: the history also tells which tenths of a bin the flippers pressed from an earlier pose, and the heights that the arm
   measured. A bin that earlier and present presses cover is *remembered*. It counts as felt for the verdict's horizon while dead reckoning
-  adds at most 30 mm to its height. One sd of slip is taken from both ends of each stretch. An arm's reading moves its new bin, and the
-  bin is remembered if the arm's point lies within 20 mm of its centre.
+  adds at most 30 mm to its height, the robot has not turned aside by half a flipper's width, and an element ahead carries load now. One
+  sd of slip is taken from both ends of each stretch. A suspected sensor ends it, and a robot without a heading remembers nothing felt. An
+  arm's reading moves its new bin; the bin is remembered if the arm's point, with its slip, lies within 30 mm of the bin's centre.
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of

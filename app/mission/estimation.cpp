@@ -158,6 +158,7 @@ void Estimation::preview(const Received& latest)
 void Estimation::suspect(const std::vector<SensorSuspicion>& suspicions)
 {
     wasSuspected_ = wasSuspected_ || !suspicions.empty();
+    if (!suspicions.empty()) memory_.forgetFelt();
     wasPitchSuspected_ = wasPitchSuspected_ || isSuspected(suspicions, Sensor::Pitch);
 }
 

@@ -11,6 +11,7 @@ void WayMemory::add(const Measurement& line, const std::vector<SensorSuspicion>&
         isSuspected_ = true;
         return;
     }
+    if (!suspicions.empty()) record_.forgetFelt();
     const SectionStart before = record_.why();
     record_.add(line);
     if (record_.why() != before) isSuspected_ = false;

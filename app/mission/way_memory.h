@@ -34,6 +34,8 @@ public:
     SceneMemory before(const Measurement& scene) const;
     /// Keeps the presses of a scene for the scenes after it. The scene counts as a line of telemetry.
     void addScene(const Measurement& scene) { record_.addScene(scene); }
+    /// Forgets what was felt, because a sensor is suspected.
+    void forgetFelt() { record_.forgetFelt(); }
     /// Keeps a reading of the arm at the last scene for the scenes after it.
     void addArm(const Measurement& scene, const ArmReading& reading)
     {

@@ -16,7 +16,7 @@ inline constexpr double kTrailPlaceStep = 0.1;  ///< [m]
 /// Length of the way before a scene that a history tells of [m].
 inline constexpr double kTrailReach = 1.2;
 
-/// Bins that a history tells of: −0.3 … 0.5 m. The robot has not been farther ahead.
+/// Bins of which a history tells where the robot passed and pressed: −0.3 … 0.5 m.
 inline constexpr std::size_t kTrailBins = 9;
 
 /// Vertical planes of a history: the middle of the robot, its left and its right side. `lowest` of a
@@ -34,8 +34,9 @@ struct TrailGround {
     std::array<double, kTrailBins> load{};
     std::array<double, kTrailBins>
         pressed{};  ///< mean height of these elements by load; 0 without load
-    /// Parts of the bins that the front flippers felt at earlier scenes (pressedStretches()), and
-    /// bins that the arm measured there.
+    /// Parts of these bins that the front flippers felt at earlier scenes (pressedStretches()), and
+    /// any bins that the arm measured there. Of the middle: where both sides were felt, if the robot
+    /// tells the sides apart.
     FeltCells felt{};
     /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]; an sd
     /// of 0: none.

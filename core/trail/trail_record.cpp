@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/robot/kinematics.h"
 #include "core/robot/side_plane.h"
@@ -13,17 +14,72 @@ constexpr double kUncovered = std::numeric_limits<double>::infinity();
 constexpr double kWindow = 0.05;            // [m] half a window of the attitude
 constexpr double kLeastForce = 0.6;         // [N] twice an element's noise
 constexpr double kRounding = 1e-9;          // [m]
+constexpr double kSameTilt = 0.02;          // [rad] of a scene that replaces one at its place
 constexpr std::array kSlopes{-0.35, 0.35};  // of ground that carries a height
 
-/// Returns the planes that an arm reading tells of. One plane takes every reading, a side its own.
-std::vector<std::size_t> planesOf(ProbeSide side)
+/// Returns the plane that an arm reading tells of.
+std::size_t planeOf(ProbeSide side)
 {
     switch (side) {
-    case ProbeSide::Left: return {0, 1};
-    case ProbeSide::Right: return {0, 2};
+    case ProbeSide::Left: return 1;
+    case ProbeSide::Right: return 2;
     case ProbeSide::Middle: break;
     }
-    return {0};
+    return 0;
+}
+
+/// Returns true if front forces are known of both sides.
+bool hasBothSides(const Measurement& line)
+{
+    const auto known = [](const std::optional<double>& force) { return force.has_value(); };
+    return std::ranges::any_of(line.sides.left, known)
+        && std::ranges::any_of(line.sides.right, known);
+}
+
+/// Returns the parts that lie in stretches of both lists.
+std::vector<GroundStretch> common(const std::vector<GroundStretch>& a,
+                                  const std::vector<GroundStretch>& b)
+{
+    std::vector<GroundStretch> both;
+    for (const GroundStretch& one : a)
+        for (const GroundStretch& other : b) {
+            const GroundStretch part{std::max(one.from, other.from), std::min(one.to, other.to)};
+            if (part.from < part.to) both.push_back(part);
+        }
+    return both;
+}
+
+/// Adds a height that the arm measured to a bin. isNear: its point lies near the bin's centre.
+void addArmHeight(TrailGround& ground, std::size_t bin, double height, double sd, bool isNear)
+{
+    double& known = ground.armHeight[bin];
+    double& knownSd = ground.armSd[bin];
+    const double apart = std::abs(height - known);
+    if (knownSd > 0.0 && apart > TrailRecord::kArmContradiction * std::hypot(sd, knownSd)) {
+        known = std::min(known, height);
+        knownSd = apart;
+        ground.felt[bin] = 0;
+        return;
+    }
+    if (knownSd > 0.0 && knownSd <= sd) return;
+    known = height;
+    knownSd = sd;
+    if (isNear) ground.felt[bin] = kAllCells;
+}
+
+/// Returns how far the ground beside a robot has moved sideways between two poses [m], at most 0.8 m ahead.
+double sidewaysOf(const WayPose& from, const WayPose& to, double halfWidth)
+{
+    constexpr double kAhead = 0.8;  // [m] the arm's reach
+    double farthest = 0.0;
+    const double turn = from.heading - to.heading;
+    const double east = from.planX - to.planX, north = from.planY - to.planY;
+    const double moved = -std::sin(to.heading) * east + std::cos(to.heading) * north;
+    for (const double x : {0.0, kAhead})
+        for (const double y : {-halfWidth, halfWidth})
+            farthest =
+                std::max(farthest, std::abs(moved + std::sin(turn) * x + std::cos(turn) * y - y));
+    return farthest;
 }
 
 struct PlaneOfLine {
@@ -174,7 +230,12 @@ void TrailRecord::addScene(const Measurement& scene)
         }
         press.pressed[p] = pressedStretches(plane.robot, plane.s);
     }
+    if (hasBothSides(scene)) press.pressed[0] = common(press.pressed[1], press.pressed[2]);
     if (!presses_.empty() && std::abs(pose->way - presses_.back().pose.way) < kStep) {
+        const OdometryLine& then = presses_.back().at.line;
+        if (std::abs(then.pitch - scene.pitch) < kSameTilt
+            && std::abs(then.roll - scene.roll) < kSameTilt)
+            press.arm = std::move(presses_.back().arm);
         presses_.pop_back();
         std::erase_if(places_, [&](const Place& place) {
             return place.isScene && std::abs(place.way - pose->way) < kStep;
@@ -187,13 +248,20 @@ void TrailRecord::addScene(const Measurement& scene)
 void TrailRecord::addArm(const Measurement& scene, const ArmReading& reading)
 {
     const std::optional<WayPose> pose = poseAt(scene);
-    if (!pose) return;
+    if (!pose || presses_.empty()) return;
+    Press& press = presses_.back();
+    if (std::abs(pose->imu.x - press.pose.imu.x) >= kStep) return;
+    std::erase_if(press.arm, [&](const ArmReading& other) {
+        return other.bin == reading.bin && other.side == reading.side;
+    });
+    press.arm.push_back(reading);
+}
+
+void TrailRecord::forgetFelt()
+{
     for (Press& press : presses_) {
-        if (std::abs(pose->way - press.pose.way) >= kStep) continue;
-        std::erase_if(press.arm, [&](const ArmReading& other) {
-            return other.bin == reading.bin && other.side == reading.side;
-        });
-        press.arm.push_back(reading);
+        press.arm.clear();
+        for (auto& stretches : press.pressed) stretches.clear();
     }
 }
 
@@ -255,47 +323,60 @@ bool TrailRecord::isBefore(const Press& press, const WayPose& pose, const TrailH
     return way <= history.way + kRounding && std::abs(way) >= kStep;  // else the scene itself
 }
 
+std::optional<TrailRecord::Carried> TrailRecord::carried(const Press& press,
+                                                         const TrailHistory& history,
+                                                         const Measurement& scene,
+                                                         const WayPose& pose) const
+{
+    if (!scene.turned || !isBefore(press, pose, history)) return std::nullopt;
+    const ReckonedState now = odometry_->after(odometryOf(scene));
+    TiltRange tilt = press.tilt;
+    tilt.pitch = std::max(tilt.pitch, std::abs(scene.pitch - press.at.line.pitch));
+    tilt.roll = std::max(tilt.roll, std::abs(scene.roll - press.at.line.roll));
+    Carried to;
+    to.since = odometry_->motion(press.at, now, tilt);
+    to.dx = press.pose.imu.x - pose.imu.x;
+    to.dz = press.pose.imu.z - pose.imu.z;
+    to.sd = carriedSd(to.since, kSlopes);
+    to.slip = std::abs(to.since.slipForward);
+    const double aside = sidewaysOf(press.pose, pose, robot_.lateral.flipperY);
+    if (to.sd > kRememberedSd || aside > 0.5 * robot_.lateral.flipperWidth) return std::nullopt;
+    return to;
+}
+
 void TrailRecord::writeFelt(TrailHistory& history, const Measurement& scene,
                             const WayPose& pose) const
 {
-    const ReckonedState now = odometry_->after(odometryOf(scene));
-    for (std::size_t p = 0; p < kTrailPlanes; ++p) {
-        std::vector<GroundStretch> felt;
-        for (const Press& press : presses_) {
-            if (!isBefore(press, pose, history)) continue;
-            const ImuMotion since = odometry_->motion(press.at, now, press.tilt);
-            if (carriedSd(since, kSlopes) > kRememberedSd) continue;
-            const double dx = press.pose.imu.x - pose.imu.x;
-            const double margin = std::abs(since.slipForward);
-            for (const GroundStretch& pressed : press.pressed[p])
-                felt.push_back({pressed.from + dx + margin, pressed.to + dx - margin});
-        }
-        history.ground[p].felt = cellsOf(felt);
-    }
+    std::array<std::vector<GroundStretch>, kTrailPlanes> felt;
     for (const Press& press : presses_) {
-        if (!isBefore(press, pose, history)) continue;
-        const ImuMotion since = odometry_->motion(press.at, now, press.tilt);
-        if (carriedSd(since, kSlopes) > kRememberedSd) continue;
-        writeArm(history, press, since, press.pose.imu.x - pose.imu.x,
-                 press.pose.imu.z - pose.imu.z);
+        const std::optional<Carried> to = carried(press, history, scene, pose);
+        if (!to) continue;
+        for (std::size_t p = 0; p < kTrailPlanes; ++p)
+            for (const GroundStretch& pressed : press.pressed[p])
+                felt[p].push_back(
+                    {pressed.from + to->dx + to->slip, pressed.to + to->dx - to->slip});
     }
+    for (std::size_t p = 0; p < kTrailPlanes; ++p) {
+        FeltCells& cells = history.ground[p].felt;
+        cells = cellsOf(felt[p]);
+        // The history knows no heights beyond these bins.
+        std::fill(cells.begin() + kTrailBins, cells.end(), std::uint16_t{0});
+    }
+    for (const Press& press : presses_)
+        if (const std::optional<Carried> to = carried(press, history, scene, pose))
+            writeArm(history, press, *to);
 }
 
-void TrailRecord::writeArm(TrailHistory& history, const Press& press, const ImuMotion& since,
-                           double dx, double dz) const
+void TrailRecord::writeArm(TrailHistory& history, const Press& press, const Carried& to) const
 {
     for (const ArmReading& reading : press.arm) {
-        const double x = binCentre(reading.bin) + dx;
+        const double x = binCentre(reading.bin) + to.dx;
         const auto bin = static_cast<int>(std::lround((x - binCentre(0)) / kBinWidth));
         if (bin < 0 || bin >= kBins) continue;
-        const auto i = static_cast<std::size_t>(bin);
-        const double away = std::abs(x - binCentre(bin));
-        for (const std::size_t p : planesOf(reading.side)) {
-            TrailGround& ground = history.ground[p];
-            ground.armHeight[i] = reading.height + dz;
-            ground.armSd[i] = std::hypot(reading.sd, carriedSd(since, kSlopes), kArmSlope * away);
-            if (away <= kArmWithin + kRounding) ground.felt[i] = kAllCells;
-        }
+        const double away = std::abs(x - binCentre(bin)) + to.slip;
+        addArmHeight(history.ground[planeOf(reading.side)], static_cast<std::size_t>(bin),
+                     reading.height + to.dz, std::hypot(reading.sd, to.sd, kArmSlope * away),
+                     away <= kArmWithin + kRounding);
     }
 }
 

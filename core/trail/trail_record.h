@@ -26,10 +26,14 @@ class TrailRecord {
 public:
     static constexpr double kLength = 3.0;  ///< [m]
     /// A stretch felt earlier counts as felt while dead reckoning adds at most this sd to its heights
-    /// [m]. Both its ends move inwards by one sd of the way since. The same holds for a bin that the arm
-    /// measured, if its point now lies within kArmWithin of a bin's centre [m].
+    /// [m], and while turning has moved it sideways by at most half a flipper's width. Both its ends
+    /// move inwards by one sd of the way since. A bin that the arm measured counts if its point, with
+    /// that sd, lies within kArmWithin of the bin's centre [m]. Readings of one bin that differ by more
+    /// than kArmContradiction of their sd leave the lower height, and the bin is not felt. A robot that
+    /// does not report its heading remembers nothing felt.
     static constexpr double kRememberedSd = 0.03;
-    static constexpr double kArmWithin = 0.02;
+    static constexpr double kArmWithin = 0.03;
+    static constexpr double kArmContradiction = 3.0;
     /// The ground between the arm's point and the bin's centre may rise or fall by this much.
     static constexpr double kArmSlope = 0.35;
     static constexpr double kStep = 0.02;  ///< [m] least way between two lines of the record
@@ -49,12 +53,16 @@ public:
     TrailHistory before(const Measurement& scene, double way = kTrailReach) const;
 
     /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
-    /// replaces it. The scene counts as a line of telemetry.
+    /// replaces it, and keeps its arm readings if the robot has not tilted since. The scene counts as
+    /// a line of telemetry.
     void addScene(const Measurement& scene);
 
-    /// Keeps a reading of the arm at a scene that was added. It lies at its bin's centre. A later one
-    /// of the same bin and side replaces it. Nothing is kept of a scene that the record has forgotten.
+    /// Keeps a reading of the arm at the newest scene that was added. It lies at its bin's centre. A
+    /// later one of the same bin and side replaces it. Nothing is kept if the robot has left that scene.
     void addArm(const Measurement& scene, const ArmReading& reading);
+
+    /// Forgets what the flippers and the arm felt, because a sensor of theirs is suspected.
+    void forgetFelt();
 
     /// Returns why nothing is remembered before the present stretch.
     SectionStart why() const { return way_.why(); }
@@ -95,8 +103,17 @@ private:
     void writeAttitude(TrailHistory& history, double now, double travelled) const;
     void writeLowest(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
     void writePressed(TrailHistory& history, const WayPose& pose) const;
-    void writeArm(TrailHistory& history, const Press& press, const ImuMotion& since, double dx,
-                  double dz) const;
+    /// Where a press lies as seen from a later pose.
+    struct Carried {
+        ImuMotion since;
+        double dx = 0.0, dz = 0.0;  ///< [m] from that pose's IMU to the press's
+        double sd = 0.0;            ///< [m] added to heights
+        double slip = 0.0;          ///< [m] one sd along the way
+    };
+    /// Returns it; empty: its heights or its place are too uncertain, or it is no part of the history.
+    std::optional<Carried> carried(const Press& press, const TrailHistory& history,
+                                   const Measurement& scene, const WayPose& pose) const;
+    void writeArm(TrailHistory& history, const Press& press, const Carried& to) const;
     void writeFelt(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
 
     RobotModel robot_;

@@ -185,6 +185,7 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now)
 {
+    if (estimate.feltTo < binBegin(kFirstAhead)) return;
     for (auto i = static_cast<std::size_t>(kFirstAhead); i < kBins; ++i)
         if (estimate.touch[i] != Touch::Felt && earlier[i] != 0
             && (earlier[i] | now[i]) == kAllCells)

@@ -107,8 +107,9 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
 
 /// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.
-/// Of each, every cell was felt `earlier` or is felt `now`. The caller answers for `earlier`: the
-/// estimate knows the heights that were felt.
+/// Of each, every cell was felt `earlier` or is felt `now`. Nothing changes unless an element ahead
+/// carries load now: memory alone carries no verdict. The caller answers for `earlier`: the estimate
+/// knows the heights that were felt.
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now);
 
 /// Writes estimate.touch and estimate.feltTo. The arm's bins are Felt. A bin behind the front pivot

@@ -178,6 +178,96 @@ TEST_F(TrailRecordTest, OneSidesPressIsFeltThereAlone)
     const TrailHistory history = record.before(line);
     EXPECT_EQ(history.ground[1].felt[6], kAllCells);
     EXPECT_EQ(history.ground[2].felt[6], 0);
+    EXPECT_EQ(history.ground[0].felt[6], 0) << "one plane is felt where both sides were";
+}
+
+TEST_F(TrailRecordTest, ReversingRemembersNoBinOfUnknownHeight)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    drive(-0.25, 0.01);  // what was pressed lies at 0.5 … 0.8 m now
+    const TrailHistory history = record.before(line);
+    EXPECT_EQ(history.ground[1].felt[9], 0);
+    EXPECT_EQ(history.ground[1].felt[10], 0);
+    EXPECT_TRUE(history.ground[1].felt[8] != 0) << "0.5 m is known";
+}
+
+TEST_F(TrailRecordTest, TurningLeavesTheFeltGroundAside)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    *line.turned += 0.02;
+    drive(0.1, 0.01);
+    const TrailHistory ahead = record.before(line);
+    EXPECT_FALSE(feelsNothing(ahead.ground[1]));
+    *line.turned += 0.05;
+    drive(0.1, 0.01);
+    const TrailHistory aside = record.before(line);
+    EXPECT_GT(aside.presses, 0) << "the way is known still";
+    for (const TrailGround& ground : aside.ground) EXPECT_TRUE(feelsNothing(ground));
+}
+
+TEST_F(TrailRecordTest, WithoutAHeadingNothingFeltIsKept)
+{
+    line.turned.reset();
+    drive(0.6);
+    record.addScene(pressFlat());
+    drive(0.1, 0.01);
+    const TrailHistory history = record.before(line);
+    EXPECT_GT(history.presses, 0);
+    for (const TrailGround& ground : history.ground) EXPECT_TRUE(feelsNothing(ground));
+}
+
+TEST_F(TrailRecordTest, ASuspectedSensorFeltNothing)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    record.addArm(pressFlat(), {.bin = 10, .height = -0.4, .sd = 0.01});
+    record.forgetFelt();
+    drive(0.1, 0.01);
+    const TrailHistory history = record.before(line);
+    for (const TrailGround& ground : history.ground) {
+        EXPECT_TRUE(feelsNothing(ground));
+        EXPECT_EQ(ground.armSd[9], 0.0);
+    }
+}
+
+TEST_F(TrailRecordTest, ASuddenTiltOfTheSceneCounts)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    drive(0.1, 0.01);
+    Measurement tilted = line;
+    tilted.pitch = 0.4;
+    const TrailHistory history = record.before(tilted);
+    for (const TrailGround& ground : history.ground) EXPECT_TRUE(feelsNothing(ground));
+}
+
+TEST_F(TrailRecordTest, ReadingsThatDifferLeaveTheLowerHeight)
+{
+    drive(0.6);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.6, .sd = 0.01, .side = ProbeSide::Left});
+    drive(0.04, 0.01);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.2, .sd = 0.01, .side = ProbeSide::Left});
+    drive(0.08, 0.01);
+    const TrailHistory history = record.before(line);
+    const TrailGround& ground = history.ground[1];
+    EXPECT_NEAR(ground.armHeight[9], -0.6, 1e-6);
+    EXPECT_NEAR(ground.armSd[9], 0.4, 0.01);
+    EXPECT_EQ(ground.felt[9], 0);
+}
+
+TEST_F(TrailRecordTest, ExploringAgainInPlaceKeepsTheReading)
+{
+    drive(0.6);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.6, .sd = 0.01, .side = ProbeSide::Left});
+    record.addScene(pressFlat());
+    drive(0.1, 0.01);
+    const TrailHistory history = record.before(line);
+    EXPECT_NEAR(history.ground[1].armHeight[9], -0.6, 1e-6);
 }
 
 TEST_F(TrailRecordTest, AnUncertainHeightIsNotFelt)
@@ -205,15 +295,13 @@ TEST_F(TrailRecordTest, AnArmReadingMovesWithTheGround)
     const TrailHistory none = record.before(scene);
     EXPECT_EQ(none.ground[1].armSd[10], 0.0) << "a scene is no memory of itself";
     drive(0.1, 0.01);
-    for (const std::size_t plane : {std::size_t{0}, std::size_t{1}}) {
-        const TrailHistory history = record.before(line);
-        const TrailGround& ground = history.ground[plane];
-        EXPECT_NEAR(ground.armHeight[9], -0.4, 1e-6) << "the later reading counts";
-        EXPECT_GT(ground.armSd[9], 0.01);
-        EXPECT_LT(ground.armSd[9], 0.02);
-        EXPECT_EQ(ground.felt[9], kAllCells);
-        EXPECT_EQ(ground.armSd[10], 0.0);
-    }
+    const TrailHistory history = record.before(line);
+    EXPECT_NEAR(history.ground[1].armHeight[9], -0.4, 1e-6) << "the later reading counts";
+    EXPECT_GT(history.ground[1].armSd[9], 0.01);
+    EXPECT_LT(history.ground[1].armSd[9], 0.02);
+    EXPECT_EQ(history.ground[1].felt[9], kAllCells);
+    EXPECT_EQ(history.ground[1].armSd[10], 0.0);
+    EXPECT_EQ(history.ground[0].armSd[9], 0.0) << "one plane takes readings in the middle";
     const TrailHistory other = record.before(line);
     EXPECT_EQ(other.ground[2].armSd[9], 0.0) << "the right side was not probed";
     drive(0.04, 0.01);

@@ -110,6 +110,7 @@ TEST(Touch, earlierAndPresentPressMakeABinRemembered)
     TerrainEstimate e;
     e.touch.fill(Touch::Bounded);
     e.touch[7] = Touch::Felt;
+    e.feltTo = 0.4;
     FeltCells earlier{}, now{};
     earlier[5] = earlier[7] = earlier[9] = kAllCells;
     earlier[6] = 0b0000011111;
@@ -123,6 +124,10 @@ TEST(Touch, earlierAndPresentPressMakeABinRemembered)
     EXPECT_EQ(e.touch[8], Touch::Bounded) << "nothing was felt earlier";
     EXPECT_EQ(e.touch[9], Touch::Remembered);
     EXPECT_EQ(e.touch[10], Touch::Bounded) << "a cell is missing";
+    e.touch.fill(Touch::Bounded);
+    e.feltTo = 0.2;
+    addRemembered(e, earlier, now);
+    EXPECT_EQ(e.touch[9], Touch::Bounded) << "the flippers press on nothing now";
 }
 
 TEST(Touch, armAndTracksMakeBinsFelt)
