@@ -1,10 +1,10 @@
 #pragma once
 
+#include <QMenu>
 #include <QObject>
 #include <QPointer>
 #include <functional>
 
-class QMenu;
 class QPoint;
 
 namespace terratact {
