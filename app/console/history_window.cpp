@@ -146,15 +146,14 @@ void HistoryWindow::showState()
 /// Obeys a key of this window. Returns false if it has no meaning.
 bool HistoryWindow::act(const QKeyEvent& event)
 {
+    const bool plain = event.modifiers() == Qt::NoModifier;
     if (event.matches(QKeySequence::Undo))
         emit restoreWanted();
-    else if (event.modifiers() != Qt::NoModifier)
-        return false;
-    else if (event.key() == Qt::Key_Escape)
+    else if (plain && event.key() == Qt::Key_Escape)
         close();
-    else if (event.key() == Qt::Key_Backspace)
+    else if (plain && event.key() == Qt::Key_Backspace)
         present_->click();
-    else if (event.key() == Qt::Key_L)
+    else if (plain && event.key() == Qt::Key_L)
         lay_->click();
     else
         return false;

@@ -184,13 +184,13 @@ private:
 
 std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip)
 {
-    constexpr int kColumns = static_cast<int>(kStripPiece / kBinWidth + 0.5);
+    const auto columns = static_cast<int>(std::lround(kStripPiece / kBinWidth));
     std::vector<DocumentPicture> pictures;
     for (std::size_t k = 0; k < strip->sections().size(); ++k) {
         const StripSection& section = strip->sections()[k];
         for (auto column = section.columns.begin(); column != section.columns.end();) {
             StripPiece piece{strip, &section, k + 1, column->first, column->first};
-            for (; column != section.columns.end() && column->first < piece.first + kColumns;
+            for (; column != section.columns.end() && column->first < piece.first + columns;
                  ++column)
                 piece.last = column->first;
             setRange(piece);

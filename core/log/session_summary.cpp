@@ -225,14 +225,15 @@ void SessionSummarizer::readJudged()
 void SessionSummarizer::judge(std::int64_t judged)
 {
     SessionVerdicts& verdicts = summary_.verdicts;
-    for (auto row = rows_.estimates.rbegin(); row != rows_.estimates.rend(); ++row) {
+    for (std::size_t k = rows_.estimates.size(); k-- > 0;) {  // newest first
+        EstimateRow& row = rows_.estimates[k];
         std::optional<StepVerdict> verdict;
-        if (addDraws(*row)) verdict = verdictOfRow(*row);
-        for (TerrainEstimate& side : row->estimate.side) side.draws = {};
+        if (addDraws(row)) verdict = verdictOfRow(row);
+        for (TerrainEstimate& side : row.estimate.side) side.draws = {};
         if (verdict == StepVerdict::Clear) ++verdicts.clear;
         if (verdict == StepVerdict::Blocked) ++verdicts.blocked;
         if (verdict == StepVerdict::CannotTell) ++verdicts.cannotTell;
-        if (!summary_.last) summary_.last = {row->time, row->stepLimit, row->estimate, verdict};
+        if (!summary_.last) summary_.last = {row.time, row.stepLimit, row.estimate, verdict};
     }
     verdicts.notRead = judged - verdicts.clear - verdicts.blocked - verdicts.cannotTell;
 }
