@@ -120,7 +120,8 @@ void TerrainProfileView::addMarks()
 
     imu_ = new QwtPlotMarker;
     imu_->setValue(0.0, 0.0);
-    imu_->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // Behind the robot's middle no word of a zone ahead covers it.
+    imu_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     imu_->setSpacing(6);
     imu_->setRenderHint(QwtPlotItem::RenderAntialiased);
     imu_->setZ(15.0);
