@@ -18,6 +18,15 @@ namespace {
 
 using namespace gui;
 
+ScenesWindow::Options fileOf(std::vector<TwoTrackScene> scenes)
+{
+    return {.path = "/some/scenes.csv",
+            .scenes = std::move(scenes),
+            .robot = absolem(),
+            .model =
+                modelFileLoader(TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())};
+}
+
 TEST(ScenesOfAFile, ofTwoTracksAreEstimatedOnBothSides)
 {
     TwoTrackScene scene;
@@ -25,11 +34,7 @@ TEST(ScenesOfAFile, ofTwoTracksAreEstimatedOnBothSides)
     scene.s.flippers = {0.2, -0.1, 0.0, 0.0};
     scene.s.currents.fill(1.0);
     for (auto& forces : scene.s.forces) forces.fill(1.0);
-    ScenesWindow window({.path = "/some/scenes.csv",
-                         .scenes = {scene},
-                         .robot = absolem(),
-                         .model = modelFileLoader(
-                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    ScenesWindow window(fileOf({scene}));
     showActive(window);
     ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
     EXPECT_FALSE(window.estimate()->onePlane);
@@ -45,11 +50,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
     scenes[1].run = "second";
     scenes[1].s.pitch = 0.2;
     scenes[1].truth[3] = -0.2;  // the other bins are unknown
-    ScenesWindow window({.path = "/some/scenes.csv",
-                         .scenes = onBothSides(scenes),
-                         .robot = absolem(),
-                         .model = modelFileLoader(
-                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    ScenesWindow window(fileOf(onBothSides(scenes)));
     showActive(window);
     ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
     const TwoTrackEstimate first = *window.estimate();
@@ -79,11 +80,7 @@ TEST(ScenesOfAFile, listHasVerdictAndErrorOfEveryScene)
     scenes[0].run = "first";
     scenes[2].s.pitch = 0.1;
     scenes[2].truth.fill(-0.2);
-    ScenesWindow window({.path = "/some/scenes.csv",
-                         .scenes = onBothSides(scenes),
-                         .robot = absolem(),
-                         .model = modelFileLoader(
-                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    ScenesWindow window(fileOf(onBothSides(scenes)));
     showActive(window);
     const QAbstractItemModel& rows = *window.list()->table()->model();
     ASSERT_EQ(rows.rowCount(), 4);
