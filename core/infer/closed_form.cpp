@@ -74,7 +74,7 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
     writeBins(distribution, 0, estimate);
     estimate.draws = heightDraws(distribution, estimate, poll);
     writeTouch(estimate, pressedBins(robot, s, estimate.ceiling));
-    addRemembered(estimate, prediction.earlier.felt, cellsOf(pressedStretches(robot, s)));
+    writeRemembered(estimate, prediction.earlier, robot, s);
     addHazards(estimate, settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
 }

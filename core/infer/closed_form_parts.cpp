@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -91,6 +92,13 @@ void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier)
     for (std::size_t i = 0; i < kBins; ++i)
         if (earlier.arm[i] && !(measured.bin[i] && measured.bin[i]->origin == Origin::Arm))
             measured.bin[i] = earlier.arm[i];
+}
+
+void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,
+                     const RobotModel& robot, const Proprioception& s)
+{
+    const bool any = std::ranges::any_of(earlier.felt, [](auto cells) { return cells != 0; });
+    if (any) addRemembered(estimate, earlier.felt, cellsOf(pressedStretches(robot, s)));
 }
 
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,

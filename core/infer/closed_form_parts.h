@@ -24,6 +24,10 @@ GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& samp
 /// gives way. Their origin is Sampled: the present scene did not measure them.
 void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier);
 
+/// Turns bins into Touch::Remembered by addRemembered(). robot: of the plane; s: of the scene there.
+void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,
+                     const RobotModel& robot, const Proprioception& s);
+
 /// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
 /// ceilings must be known. contact: error of a contact; empty: contacts act through the inputs alone.
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,

@@ -134,8 +134,7 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
         const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
         const Proprioception readings = sideReadings(s, side);
         writeTouch(own, pressedBins(plane, readings, own.ceiling));
-        addRemembered(own, prediction.earlier[numberOf(side)].felt,
-                      cellsOf(pressedStretches(plane, readings)));
+        writeRemembered(own, prediction.earlier[numberOf(side)], plane, readings);
         addOwnHazards(own, side, poll);
         own = finite(std::move(own), poll);
     }

@@ -49,25 +49,27 @@ std::vector<GroundStretch> common(const std::vector<GroundStretch>& a,
     return both;
 }
 
-/// Adds a height that the arm measured to a bin. isNear: its point lies near the bin's centre.
-void addArmHeight(TrailGround& ground, std::size_t bin, double height, double sd, bool isNear)
+/// Writes a bin that the arm measured once or more (TrailRecord::kRememberedSd).
+void writeArmBin(TrailGround& ground, std::size_t bin,
+                 const std::vector<TrailRecord::CarriedReading>& readings)
 {
-    double& known = ground.armHeight[bin];
-    double& knownSd = ground.armSd[bin];
-    const double apart = std::abs(height - known);
-    if (knownSd > 0.0 && apart > TrailRecord::kArmContradiction * std::hypot(sd, knownSd)) {
-        known = std::min(known, height);
-        knownSd = apart;
+    const auto [lowest, highest] =
+        std::ranges::minmax_element(readings, {}, &TrailRecord::CarriedReading::height);
+    const double apart = highest->height - lowest->height;
+    if (apart > TrailRecord::kArmContradiction * std::hypot(lowest->sd, highest->sd)) {
+        ground.armHeight[bin] = lowest->height;
+        ground.armSd[bin] = apart;
         ground.felt[bin] = 0;
         return;
     }
-    if (knownSd > 0.0 && knownSd <= sd) return;
-    known = height;
-    knownSd = sd;
-    if (isNear) ground.felt[bin] = kAllCells;
+    const auto surest = std::ranges::min_element(readings, {}, &TrailRecord::CarriedReading::sd);
+    ground.armHeight[bin] = surest->height;
+    ground.armSd[bin] = surest->sd;
+    if (surest->isNear) ground.felt[bin] = kAllCells;
 }
 
-/// Returns how far the ground beside a robot has moved sideways between two poses [m], at most 0.8 m ahead.
+/// Returns how far the ground beside a robot has moved sideways between two poses [m]. It is the
+/// farthest of places up to 0.8 m ahead.
 double sidewaysOf(const WayPose& from, const WayPose& to, double halfWidth)
 {
     constexpr double kAhead = 0.8;  // [m] the arm's reach
@@ -362,22 +364,29 @@ void TrailRecord::writeFelt(TrailHistory& history, const Measurement& scene,
         // The history knows no heights beyond these bins.
         std::fill(cells.begin() + kTrailBins, cells.end(), std::uint16_t{0});
     }
-    for (const Press& press : presses_)
-        if (const std::optional<Carried> to = carried(press, history, scene, pose))
-            writeArm(history, press, *to);
+    writeArm(history, scene, pose);
 }
 
-void TrailRecord::writeArm(TrailHistory& history, const Press& press, const Carried& to) const
+void TrailRecord::writeArm(TrailHistory& history, const Measurement& scene,
+                           const WayPose& pose) const
 {
-    for (const ArmReading& reading : press.arm) {
-        const double x = binCentre(reading.bin) + to.dx;
-        const auto bin = static_cast<int>(std::lround((x - binCentre(0)) / kBinWidth));
-        if (bin < 0 || bin >= kBins) continue;
-        const double away = std::abs(x - binCentre(bin)) + to.slip;
-        addArmHeight(history.ground[planeOf(reading.side)], static_cast<std::size_t>(bin),
-                     reading.height + to.dz, std::hypot(reading.sd, to.sd, kArmSlope * away),
-                     away <= kArmWithin + kRounding);
+    std::array<std::array<std::vector<CarriedReading>, kBins>, kTrailPlanes> readings;
+    for (const Press& press : presses_) {
+        const std::optional<Carried> to = carried(press, history, scene, pose);
+        if (!to) continue;
+        for (const ArmReading& reading : press.arm) {
+            const double x = binCentre(reading.bin) + to->dx;
+            const auto bin = static_cast<int>(std::lround((x - binCentre(0)) / kBinWidth));
+            if (bin < 0 || bin >= kBins) continue;
+            const double away = std::abs(x - binCentre(bin)) + to->slip;
+            readings[planeOf(reading.side)][static_cast<std::size_t>(bin)].push_back(
+                {reading.height + to->dz, std::hypot(reading.sd, to->sd, kArmSlope * away),
+                 away <= kArmWithin + kRounding});
+        }
     }
+    for (std::size_t p = 0; p < kTrailPlanes; ++p)
+        for (std::size_t bin = 0; bin < kBins; ++bin)
+            if (!readings[p][bin].empty()) writeArmBin(history.ground[p], bin, readings[p][bin]);
 }
 
 void TrailRecord::writePressed(TrailHistory& history, const WayPose& pose) const

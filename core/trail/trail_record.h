@@ -38,6 +38,12 @@ public:
     static constexpr double kArmSlope = 0.35;
     static constexpr double kStep = 0.02;  ///< [m] least way between two lines of the record
 
+    /// A height that the arm measured earlier [m], as a later scene sees it.
+    struct CarriedReading {
+        double height = 0.0, sd = 0.0;
+        bool isNear = false;  ///< within kArmWithin of the bin's centre
+    };
+
     explicit TrailRecord(const RobotModel& robot, const WayLimits& limits = {});
 
     /// Adds the next line of telemetry.
@@ -113,7 +119,7 @@ private:
     /// Returns it; empty: its heights or its place are too uncertain, or it is no part of the history.
     std::optional<Carried> carried(const Press& press, const TrailHistory& history,
                                    const Measurement& scene, const WayPose& pose) const;
-    void writeArm(TrailHistory& history, const Press& press, const Carried& to) const;
+    void writeArm(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
     void writeFelt(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
 
     RobotModel robot_;

@@ -12,7 +12,8 @@ inline constexpr double kHorizonSlack = 0.01;
 /// Returns true if the estimate tells how each of its bins was touched.
 bool isTouchRecorded(const TerrainEstimate& estimate);
 
-/// Returns the last bin ahead that is felt, now or earlier, or lies behind a loaded element; kFirstAhead − 1: none.
+/// Returns the last bin ahead that is felt, now or earlier, or lies behind a loaded element;
+/// kFirstAhead − 1: none.
 /// Where the touch is not recorded, it is the last bin.
 int horizonBin(const TerrainEstimate& estimate);
 

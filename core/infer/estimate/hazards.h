@@ -23,8 +23,8 @@ inline constexpr double kLargestHazard = 2.0;
 void addHazards(TerrainEstimate& estimate, double rate, const Poll& poll = {});
 
 /// Returns the lower bound of P(a step) within bins firstBin … lastBin: 1 − (1 − rate)^n. n counts
-/// the bins from kFirstAhead on that are neither Felt nor Remembered, and rate is settings.hazardRate. Returns 0 where
-/// the touch is not recorded.
+/// the bins from kFirstAhead on that are neither Felt nor Remembered, and rate is
+/// settings.hazardRate. Returns 0 where the touch is not recorded.
 double unfeltStepRate(const TerrainEstimate& estimate, int firstBin, int lastBin);
 
 }  // namespace terratact

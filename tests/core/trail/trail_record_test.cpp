@@ -251,7 +251,10 @@ TEST_F(TrailRecordTest, ReadingsThatDifferLeaveTheLowerHeight)
     drive(0.04, 0.01);
     record.addScene(press());
     record.addArm(press(), {.bin = 10, .height = -0.2, .sd = 0.01, .side = ProbeSide::Left});
-    drive(0.08, 0.01);
+    drive(0.03, 0.01);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.2, .sd = 0.01, .side = ProbeSide::Left});
+    drive(0.04, 0.01);
     const TrailHistory history = record.before(line);
     const TrailGround& ground = history.ground[1];
     EXPECT_NEAR(ground.armHeight[9], -0.6, 1e-6);
