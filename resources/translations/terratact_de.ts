@@ -4933,11 +4933,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>its inducing row count is not a positive whole number: %1</source>
-        <translation>die Zahl seiner Stützzeilen ist keine positive ganze Zahl: %1</translation>
+        <translation>die Zahl seiner Stützzeilen ist keine ganze Zahl größer als 0: %1</translation>
     </message>
     <message>
         <source>its repeated row count is not a positive whole number: %1</source>
-        <translation>die Zahl seiner wiederholten Zeilen ist keine positive ganze Zahl: %1</translation>
+        <translation>die Zahl seiner wiederholten Zeilen ist keine ganze Zahl größer als 0: %1</translation>
     </message>
 </context>
 <context>
