@@ -44,6 +44,17 @@ void addDemo(CLI::App& app, Job& job)
     });
 }
 
+void addRobotCheck(CLI::App& robot, Job& job)
+{
+    auto* c = robot.add_subcommand("check",
+                                   "Hold the numbers of a robot file against each other, and draw "
+                                   "them: docs/robot.md; exit code 0: no problem");
+    const auto o = std::make_shared<RobotCheckOptions>();
+    addInput(*c, "file", o->file, "Robot file")->required();
+    addFileOutput(*c, "--picture", o->picture, "Picture of the robot to write: PNG, SVG or PDF");
+    c->callback([o, &job] { job = [o] { return checkRobotFiles(*o); }; });
+}
+
 void addRobotOnBus(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand(
@@ -51,7 +62,7 @@ void addRobotOnBus(CLI::App& app, Job& job)
                  "resources/dbc/terratact.dbc, obeys and refuses as a real one has to");
     const auto o = std::make_shared<RobotOptions>();
     addRobot(*c, o->robot);
-    c->add_option("--can", o->can, "Interface, such as vcan0")->required();
+    c->add_option("--can", o->can, "Interface, such as vcan0; required without a subcommand");
     addTerrain(
         *c, o->terrain,
         "CSV of a profile or ground lines, or 'varied' for random ground (default: the demo's)");
@@ -67,7 +78,10 @@ void addRobotOnBus(CLI::App& app, Job& job)
         ->check(CLI::Range(0.01, 1000.0));
     c->add_option("--seconds", o->seconds, "Ends after this time (default: when interrupted)")
         ->check(CLI::NonNegativeNumber);
-    c->callback([o, &job] {
+    addRobotCheck(*c, job);
+    c->callback([o, c, &job] {
+        if (!c->get_subcommands().empty()) return;
+        if (o->can.empty()) throw CLI::RequiredError("--can");
         useShippedRobot(o->robot);
         job = [o] { return runRobot(*o); };
     });

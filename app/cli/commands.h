@@ -214,4 +214,11 @@ struct RobotOptions {
 /// Runs a simulated robot on a CAN bus, in its own process.
 Status runRobot(const RobotOptions& options);
 
+struct RobotCheckOptions {
+    std::string file;     ///< robot file
+    std::string picture;  ///< PNG, SVG or PDF to write; empty: none
+};
+/// Prints the findings about a robot file and draws it (app/modelling/robot_check.h). Error if it has a problem.
+Status checkRobotFiles(const RobotCheckOptions& options);
+
 }  // namespace terratact

@@ -66,7 +66,7 @@ _terratact_value() {
     truth:--session) _terratact_files tts ;;
     *:--cloud) _terratact_files pcd ;;
     *:--recording) _terratact_files mcap ;;
-    *:--sheet) _terratact_files png svg pdf ;;
+    *:--sheet | *:--picture) _terratact_files png svg pdf ;;
     train:--out | merge:--out) _terratact_files ttm ttp ttn ;;
     evaluate:--trail) _terratact_files ttn ;;
     "session strip:--out") _terratact_files csv ply ;;
@@ -137,6 +137,7 @@ _terratact_options() {
     "panel check") echo --lamps --watch --seconds ;;
     demo) echo --robot --model --out --method "$estimates" ;;
     robot) echo --robot --can --terrain --fault --seed --speed --seconds ;;
+    "robot check") echo --picture ;;
     "can decode") echo --interface --csv --summary --protocol --dbc ;;
     "can monitor") echo --seconds --bitrate --interface --speed --protocol --dbc ;;
     "session verify") echo --link ;;
@@ -162,7 +163,7 @@ _terratact_argument() {
     "") _terratact_words simulate train reconstruct evaluate hazards strip feel-forward merge tradeoff contacts faults probes calibrate model panel \
       demo robot can session import truth ;;
     model) _terratact_words show card predict ;;
-    panel) _terratact_words check ;;
+    panel | robot) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
     session) _terratact_words info list verify recover export scenes strip report merge what-if import ;;
     "session list") _terratact_files ;;
@@ -171,7 +172,7 @@ _terratact_argument() {
     import) _terratact_files mcap bag db3 csv ;;
     truth) _terratact_files pcd ply xyz csv txt pts mcap bag db3 ;;
     "model "*) _terratact_files ttm ;;
-    "panel check") _terratact_files toml ;;
+    "panel check" | "robot check") _terratact_files toml ;;
     "can check") _terratact_files log asc trc csv gz && _terratact_buses ;;
     "can monitor") _terratact_files log asc trc csv gz && _terratact_buses ;;
     "can decode" | console) _terratact_files log asc trc csv gz ;;
@@ -194,7 +195,7 @@ _terratact() {
     command=console
   elif [ "$COMP_CWORD" -gt 1 ] && [[ ${COMP_WORDS[1]} != -* ]]; then
     command=${COMP_WORDS[1]}
-    if [[ $command =~ ^(model|panel|can|session)$ ]] && [ "$COMP_CWORD" -gt 2 ] && [[ ${COMP_WORDS[2]} != -* ]]; then
+    if [[ $command =~ ^(model|panel|robot|can|session)$ ]] && [ "$COMP_CWORD" -gt 2 ] && [[ ${COMP_WORDS[2]} != -* ]]; then
       command+=" ${COMP_WORDS[2]}"
     fi
   fi
