@@ -68,6 +68,13 @@ verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves
 PCL) expect, with z up. `sd`, `time`, `side` (0 left, 1 right), `felt` (0 arm to 6 not recorded) and `section` are further properties.
 Sections have frames of their own; `--section 2` writes one alone.
 
+`--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands, in pieces of 6 m with equal axes and a scale. The sides differ
+by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest
+estimate; all else is remembered. An SVG keeps the columns above in its `<metadata>`.
+
+The console writes the same files: *View > Export the strip of felt ground …* of the strip as it is now, and a review by its export dialog of
+the whole session.
+
 ## What it is worth
 
 TEXT

@@ -112,11 +112,13 @@ void addSessionScenes(CLI::App& session, Job& job)
 
 void addSessionStrip(CLI::App& session, Job& job)
 {
-    auto* c = session.add_subcommand("strip", "Write the ground felt along the drive as a profile "
-                                              "or a point cloud");
+    auto* c = session.add_subcommand("strip", "Write the ground felt along the drive as a profile, "
+                                              "a point cloud or a picture");
     const auto o = std::make_shared<SessionStripOptions>();
     addInput(*c, "file", o->file, "Session (*.tts)")->required();
-    addTextOutput(*c, "--out", o->out, "CSV profile or PLY point cloud to write, by the ending")
+    addTextOutput(
+        *c, "--out", o->out,
+        "CSV profile, PLY point cloud, or picture (.png, .svg, .pdf, .html), by the ending")
         ->required();
     c->add_option("--section", o->section, "This stretch without a break alone, by its number")
         ->check(CLI::Range(1, 1'000'000));

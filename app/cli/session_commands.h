@@ -47,10 +47,10 @@ Status exportScenes(const SessionScenesOptions& options);
 
 struct SessionStripOptions {
     std::string file;
-    std::string out;               ///< its ending decides: .csv or .ply
+    std::string out;               ///< its ending decides (app/figures/strip_file.h)
     std::optional<int> section{};  ///< the only one, from 1; empty: all
 };
-/// Writes the strip of felt ground of a session as a profile or a point cloud (app/recording/strip_export.h).
+/// Writes the strip of felt ground of a session as a profile, a point cloud or a picture (app/figures/strip_file.h).
 Status exportStrip(const SessionStripOptions& options);
 
 struct SessionExportOptions {

@@ -122,6 +122,7 @@ public:
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     void addPictureKeys(KeyTable& keys);  ///< keys of the terrain picture
+    void addStripExport();
     /// Saves the window's picture and the numbers of this moment, and asks for a note.
     void takeSnapshot();
     void toggleSecondView();

@@ -10,6 +10,7 @@
 #include "app/console/profile_menu.h"
 #include "app/console/second_view.h"
 #include "app/console/snapshot.h"
+#include "app/console/strip_export.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
@@ -70,6 +71,17 @@ void MainWindow::addPictureKeys(KeyTable& keys)
             this, &MainWindow::toggleSecondView);
     connect(profileMenu_->addAction(tr("Snapshot with a note (C)")), &QAction::triggered, this,
             &MainWindow::takeSnapshot);
+    addStripExport();
+}
+
+void MainWindow::addStripExport()
+{
+    auto* const strips = new StripExport(*exploration_, robot_, *this);
+    connect(profileMenu_->addAction(tr("Export the strip of felt ground …")), &QAction::triggered,
+            strips, &StripExport::ask);
+    connect(strips, &StripExport::refused, this, &MainWindow::showWhyNot);
+    connect(strips, &StripExport::wrote, this,
+            [this](const Message& text) { log(text, EventSeverity::Note); });
 }
 
 void MainWindow::toggleSecondView()

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 
+#include "app/figures/html_text.h"
 #include "core/base/text.h"
 #include "core/store/file_write.h"
 
@@ -68,6 +70,23 @@ cairo_status_t renderSvg(std::string& bytes, int width, int height,
     paint(surface.get(), draw);
     cairo_surface_finish(surface.get());
     return cairo_surface_status(surface.get());
+}
+
+/// Puts the texts behind the root element's tag.
+void addTexts(std::string& svg, const PictureText& text)
+{
+    std::string elements;
+    if (!text.title.empty()) elements += "<title>" + htmlText(text.title) + "</title>\n";
+    if (!text.description.empty()) elements += "<desc>" + htmlText(text.description) + "</desc>\n";
+    if (!text.data.empty()) {
+        elements += "<metadata>\n";
+        std::istringstream lines(text.data);
+        for (std::string line; std::getline(lines, line);) elements += htmlText(line) + '\n';
+        elements += "</metadata>\n";
+    }
+    const std::size_t root = svg.find("<svg");
+    const std::size_t end = root == std::string::npos ? root : svg.find('>', root);
+    if (end != std::string::npos) svg.insert(end + 1, '\n' + elements);
 }
 
 constexpr double kPoint = 72.0 / 150.0;  // points per pixel
@@ -285,14 +304,18 @@ std::string signedNumber(double value, int digits)
 }
 
 Status writePicture(const std::string& path, int width, int height,
-                    const std::function<void(Canvas&)>& draw)
+                    const std::function<void(Canvas&)>& draw, const PictureText& text)
 {
     const auto render = path.ends_with(".svg") ? renderSvg
                       : path.ends_with(".png") ? renderPng
                       : path.ends_with(".pdf") ? renderPdf
                                                : nullptr;
     if (!render) return Error{path + ": a figure's file ends in .png, .svg or .pdf"};
-    return writeDrawn(path, [&](std::string& bytes) { return render(bytes, width, height, draw); });
+    return writeDrawn(path, [&](std::string& bytes) {
+        const cairo_status_t status = render(bytes, width, height, draw);
+        if (render == renderSvg) addTexts(bytes, text);
+        return status;
+    });
 }
 
 Status writePages(const std::string& path, int width, int height, const std::string& title,

@@ -73,11 +73,18 @@ private:
 /// Returns "+0.1", "0.0", "−0.2" with sign and U+2212.
 std::string signedNumber(double value, int digits);
 
+/// Texts that an SVG file holds beside its drawing, as plain text. Empty: it holds none.
+struct PictureText {
+    std::string title;        ///< <title>
+    std::string description;  ///< <desc>: what it shows, for those who cannot see it
+    std::string data;         ///< <metadata>: the numbers of the picture
+};
+
 /// Draws a picture and writes it to `path` as PNG, SVG or PDF by the file ending. width, height: [px] at 150 px per
 /// inch in PDF. The file is written under a temporary name and renamed. Errors name the file: unknown ending, or not
 /// writable.
 Status writePicture(const std::string& path, int width, int height,
-                    const std::function<void(Canvas&)>& draw);
+                    const std::function<void(Canvas&)>& draw, const PictureText& text = {});
 
 /// Draws one page, or a part of it.
 using PageDrawing = std::function<void(Canvas&)>;

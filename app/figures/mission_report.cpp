@@ -95,30 +95,6 @@ DocumentPart sessionPart(const SessionReader& session, const RobotModel& robot)
         .table = {}};
 }
 
-DocumentPart stripPart(const std::shared_ptr<const Strip>& shared)
-{
-    const Strip& strip = *shared;
-    std::size_t columns = 0;
-    for (const StripSection& section : strip.sections()) columns += section.columns.size();
-    DocumentPart part{.heading = "Strip of felt ground",
-                      .note = {},
-                      .facts = {},
-                      .pictures = stripPictures(shared),
-                      .table = {}};
-    if (part.pictures.empty())
-        part.note = "No ground is shown: nothing was estimated, or the robot reports no odometry.";
-    else
-        part.note = fmt::format(
-            "{:.1f} m of ground in {} {}. Heights are from the IMU at the first scene of a "
-            "section; "
-            "both axes have one scale. Bars reach from the 0.1 to the 0.9 quantile. At most the "
-            "last {:.0f} m are kept.",
-            kBinWidth * static_cast<double>(columns), strip.sections().size(),
-            strip.sections().size() == 1 ? "section" : "sections",
-            kBinWidth * static_cast<double>(StripLimits{}.columns));
-    return part;
-}
-
 DocumentPart hashesPart(const SessionReader& session, const SessionVerification& found)
 {
     const SessionStart& start = session.start();

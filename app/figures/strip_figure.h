@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/figures/report_document.h"
@@ -9,9 +11,25 @@
 namespace terratact {
 
 /// Returns pictures of the ground felt along the way: each shows a piece of at most kStripPiece of one section, the left
-/// and the right side in colours, the 0.1 to 0.9 quantiles as bands. Axes are equal [m]. Felt, bounded and not felt
-/// bins differ by shape. The pictures keep the strip.
-std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip);
+/// and the right side, the 0.1 to 0.9 quantiles as bands. Axes are equal [m], with a scale. Sides differ by colour, line
+/// and band; how a bin was felt shows by shape; a bracket marks the newest estimate, so that all else is remembered. The
+/// pictures keep the strip. only: number of the only section to draw, from 1; empty: all.
+std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip,
+                                           std::optional<int> only = {});
 inline constexpr double kStripPiece = 6.0;  ///< [m]
+
+/// Returns the pictures with a note as a part of a document.
+DocumentPart stripPart(const std::shared_ptr<const Strip>& strip, std::optional<int> only = {});
+
+/// Texts of a file of the strip.
+struct StripText {
+    std::string title;  ///< what drive it is of
+    std::string data;   ///< its numbers, which an SVG keeps (app/recording/strip_export.h)
+};
+
+/// Writes the pictures one below the other as .png or .svg, or on pages as .pdf or .html. An SVG keeps text.data in its
+/// <metadata>. Errors name the file: another ending, no ground, higher than 20000 px, not writable.
+Status writeStripPicture(const std::string& path, const std::shared_ptr<const Strip>& strip,
+                         const StripText& text, std::optional<int> only = {});
 
 }  // namespace terratact

@@ -4,9 +4,9 @@
 
 namespace terratact {
 
-const std::array<ExportChoice, 9>& exportChoices()
+const std::array<ExportChoice, 10>& exportChoices()
 {
-    static const std::array<ExportChoice, 9> all{
+    static const std::array<ExportChoice, 10> all{
         {{QT_TRANSLATE_NOOP("ReviewExport", "Picture of the terrain"),
           "terrain",
           {"png", "svg", "pdf"},
@@ -23,6 +23,10 @@ const std::array<ExportChoice, 9>& exportChoices()
           "mission",
           {"pdf", "html"},
           ExportSource::Mission},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Strip of felt ground, the whole session"),
+          "strip",
+          {"svg", "png", "pdf", "html", "csv", "ply"},
+          ExportSource::Strip},
          {QT_TRANSLATE_NOOP("ReviewExport", "CAN frames"),
           "frames",
           {"csv", "log", "asc", "mcap"},

@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// Source of an export's data.
-enum class ExportSource : std::uint8_t { Picture, Numbers, Report, Mission, Rows };
+enum class ExportSource : std::uint8_t { Picture, Numbers, Report, Mission, Strip, Rows };
 
 struct ExportChoice {
     const char* name;
@@ -21,6 +21,6 @@ struct ExportChoice {
 };
 
 /// Returns the choices in the order of the list.
-const std::array<ExportChoice, 9>& exportChoices();
+const std::array<ExportChoice, 10>& exportChoices();
 
 }  // namespace terratact

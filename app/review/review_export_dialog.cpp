@@ -70,7 +70,7 @@ QString startFile(const QString& session, const ExportChoice& choice,
                  + QLatin1String(choice.part);
     if (choice.from == ExportSource::Report)
         name += QStringLiteral("-scene%1").arg(viewState.scene);
-    else if (choice.from != ExportSource::Rows && choice.from != ExportSource::Mission)
+    else if (choice.from == ExportSource::Picture || choice.from == ExportSource::Numbers)
         name += QStringLiteral("-%1s").arg(seconds(viewState.now));
     return folder + QLatin1Char('/') + name;
 }
@@ -257,7 +257,7 @@ void ReviewExportDialog::showViewState()
     everything_->setText(tr("everything, %1").arg(spanWords(viewState_.begin, viewState_.end)));
     const ExportSource from = chosen(*what_).from;
     moment_->setText(
-        from == ExportSource::Mission
+        from == ExportSource::Mission || from == ExportSource::Strip
             ? tr("the whole session, %1").arg(spanWords(viewState_.begin, viewState_.end))
         : from != ExportSource::Report ? tr("this time, %1").arg(timeWords(viewState_.now))
         : viewState_.scene > 0         ? tr("scene %1").arg(viewState_.scene)
@@ -339,10 +339,12 @@ void ReviewExportDialog::write()
     case ExportSource::Numbers: return wrote(sources_.saveNumbers(to_));
     case ExportSource::Report:
     case ExportSource::Mission:
+    case ExportSource::Strip:
     case ExportSource::Rows: break;
     }
     SessionExportJob::Wish wish{.session = sources_.session.toStdString(),
-                                .out = to_.toStdString()};
+                                .out = to_.toStdString(),
+                                .strip = choice.from == ExportSource::Strip};
     if (choice.from == ExportSource::Report) {
         wish.scene = viewState_.scene;
     } else if (choice.from == ExportSource::Rows) {

@@ -1,11 +1,14 @@
 #include "app/review/session_export_job.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/figures/mission_report.h"
 #include "app/figures/session_report.h"
+#include "app/figures/strip_file.h"
+#include "app/recording/what_if.h"
 #include "core/log/session_reader.h"
 
 namespace terratact {
@@ -26,6 +29,16 @@ Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
     const auto report = reportOf(session, wish.scene, progress, *book);
     if (!report) return report.error();
     return writeReport(wish.out, *report);
+}
+
+Status writeStripOf(SessionReader& session, const std::string& out, const Progress& progress)
+{
+    const auto robot = robotOf(session);
+    if (!robot) return robot.error();
+    const auto strip = stripOf(session, *robot, progress);
+    if (!strip) return Error{out + ": not written: ended before all was read"};
+    const auto name = std::filesystem::path(session.path()).filename().string();
+    return writeStrip(out, strip, *robot, "Strip of felt ground of " + name);
 }
 
 }  // namespace
@@ -59,8 +72,9 @@ bool SessionExportJob::goOn(double share)
 Result<ExportCounts> SessionExportJob::write(SessionReader& session)
 {
     const Progress progress = [this](double share) { return goOn(share); };
-    if (!wish_.format) {
-        const Status written = writeReportOf(session, wish_, progress);
+    if (wish_.strip || !wish_.format) {
+        const Status written = wish_.strip ? writeStripOf(session, wish_.out, progress)
+                                           : writeReportOf(session, wish_, progress);
         return written ? Result<ExportCounts>(ExportCounts{}) : written.error();
     }
     const auto book = readDbcBook(CanProtocol::Terratact, wish_.dbc);

@@ -18,6 +18,7 @@ class SessionExportJob final : public QObject {
 public:
     struct Wish {
         std::string session, out;
+        bool strip = false;                    ///< the strip of felt ground, else as follows
         std::optional<ExportFormat> format{};  ///< empty: a report
         ExportSelection selection{};
         std::int64_t scene = 0;          ///< scene of the report; 0: the mission report

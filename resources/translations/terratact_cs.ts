@@ -1286,6 +1286,10 @@ značka K</translation>
         <source>Mission report, the whole session</source>
         <translation>Zpráva o misi, celý záznam</translation>
     </message>
+    <message>
+        <source>Strip of felt ground, the whole session</source>
+        <translation>Pás ohmataného terénu, celý záznam</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -7194,6 +7198,10 @@ F1</translation>
         <source>snapshot %1 is being written</source>
         <translation>snímek %1 se zapisuje</translation>
     </message>
+    <message>
+        <source>Export the strip of felt ground …</source>
+        <translation>Exportovat pás ohmataného terénu …</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -10239,6 +10247,41 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>Halts the robot at once and latches; F12 and Pause do the same everywhere</source>
         <translation>Robota hned zastaví a drží; F12 a Pause dělají totéž všude</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::StripExport</name>
+    <message>
+        <source>no strip to export: nothing was estimated yet, or the robot reports no odometry</source>
+        <translation>není co exportovat: zatím nic nebylo odhadnuto, nebo robot nehlásí ujetou dráhu</translation>
+    </message>
+    <message>
+        <source>Export the strip of felt ground</source>
+        <translation>Exportovat pás ohmataného terénu</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg *.png *.pdf *.html)</source>
+        <translation>Obrázky (*.svg *.png *.pdf *.html)</translation>
+    </message>
+    <message>
+        <source>Profile (*.csv)</source>
+        <translation>Profil (*.csv)</translation>
+    </message>
+    <message>
+        <source>Point cloud (*.ply)</source>
+        <translation>Mračno bodů (*.ply)</translation>
+    </message>
+    <message>
+        <source>a strip is still being written: try again</source>
+        <translation>pás se ještě zapisuje: zkuste to znovu</translation>
+    </message>
+    <message>
+        <source>%1 exists and was not replaced; choose another name</source>
+        <translation>%1 existuje a nebyl nahrazen; zvolte jiné jméno</translation>
+    </message>
+    <message>
+        <source>strip of felt ground written: %1</source>
+        <translation>pás ohmataného terénu zapsán: %1</translation>
     </message>
 </context>
 <context>

@@ -1286,6 +1286,10 @@ Marke K</translation>
         <source>Mission report, the whole session</source>
         <translation>Einsatzbericht, ganze Aufzeichnung</translation>
     </message>
+    <message>
+        <source>Strip of felt ground, the whole session</source>
+        <translation>Streifen ertasteten Bodens, ganze Aufzeichnung</translation>
+    </message>
 </context>
 <context>
     <name>ReviewTimeline</name>
@@ -7194,6 +7198,10 @@ F1</translation>
         <source>snapshot %1 is being written</source>
         <translation>Schnappschuss %1 wird geschrieben</translation>
     </message>
+    <message>
+        <source>Export the strip of felt ground …</source>
+        <translation>Streifen ertasteten Bodens exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -10239,6 +10247,41 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>Halts the robot at once and latches; F12 and Pause do the same everywhere</source>
         <translation>Hält den Roboter sofort an und rastet ein; F12 und Pause tun überall dasselbe</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::StripExport</name>
+    <message>
+        <source>no strip to export: nothing was estimated yet, or the robot reports no odometry</source>
+        <translation>kein Streifen zu exportieren: es wurde noch nichts geschätzt, oder der Roboter meldet keinen zurückgelegten Weg</translation>
+    </message>
+    <message>
+        <source>Export the strip of felt ground</source>
+        <translation>Streifen ertasteten Bodens exportieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg *.png *.pdf *.html)</source>
+        <translation>Bilder (*.svg *.png *.pdf *.html)</translation>
+    </message>
+    <message>
+        <source>Profile (*.csv)</source>
+        <translation>Profil (*.csv)</translation>
+    </message>
+    <message>
+        <source>Point cloud (*.ply)</source>
+        <translation>Punktwolke (*.ply)</translation>
+    </message>
+    <message>
+        <source>a strip is still being written: try again</source>
+        <translation>ein Streifen wird noch geschrieben: erneut versuchen</translation>
+    </message>
+    <message>
+        <source>%1 exists and was not replaced; choose another name</source>
+        <translation>%1 gibt es und wurde nicht ersetzt; anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>strip of felt ground written: %1</source>
+        <translation>Streifen ertasteten Bodens geschrieben: %1</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@ import sqlite3
 import struct
 import subprocess
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 from session_support import BEGIN, Session, frames_of, setUpModule, tearDownModule  # noqa: F401
@@ -111,9 +112,21 @@ class OtherPrograms(Session):
         vertices = plyfile.PlyData.read(str(out))["vertex"]
         self.assertEqual(vertices.count, len(read_ply(out.read_bytes())[1]))
 
+    def test_a_picture_of_the_strip_holds_the_profile(self):
+        picture, image, table = (self.path / f"strip.{ending}" for ending in ("svg", "png", "csv"))
+        for out in (picture, image, table):
+            run("session", "strip", self.drive, "--out", out)
+        root = xml.etree.ElementTree.parse(picture).getroot()
+        space = "{http://www.w3.org/2000/svg}"
+        self.assertEqual(root.tag, space + "svg")
+        self.assertEqual(root.find(space + "metadata").text.strip(), table.read_text().strip())
+        self.assertIn("drive.tts", root.find(space + "title").text)
+        wide, high = struct.unpack(">II", image.read_bytes()[16:24])
+        self.assertEqual(root.get("viewBox"), f"0 0 {wide} {high}")
+
     def test_a_strip_needs_a_format_and_a_section_that_is_there(self):
         out = self.path / "strip.xyz"
-        self.assertIn("expected .csv or .ply", complaint("session", "strip", self.drive, "--out", out))
+        self.assertIn("expected .csv, .ply, .png", complaint("session", "strip", self.drive, "--out", out))
         self.assertIn("expected --section 1 to", complaint("session", "strip", self.drive, "--section", 99,
                                                            "--out", self.path / "strip.ply"))
         self.assertFalse(out.exists())

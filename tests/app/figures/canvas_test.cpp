@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/store/file_read.h"
+#include "tests/support/temporary_directory.h"
+
 namespace terratact {
 namespace {
 
@@ -21,6 +24,19 @@ TEST(Canvas, wrapsWordsAndBreaksThoseThatAreTooLong)
     std::string joined;
     for (const std::string& line : broken) joined += line;
     EXPECT_EQ(joined, std::string("a").append(64, 'f'));
+}
+
+TEST(Canvas, svgFilesHoldTextsEscaped)
+{
+    const TemporaryDirectory directory;
+    const std::string path = directory.file("picture.svg");
+    ASSERT_TRUE(writePicture(path, 10, 10, [](Canvas&) {}, {"a < b", "x & y", "1,2\n3,<4>\n"}));
+    const std::string svg = *readFile(path, 1U << 20U);
+    EXPECT_NE(svg.find("<title>a &lt; b</title>\n<desc>x &amp; y</desc>\n<metadata>\n1,2\n"
+                       "3,&lt;4&gt;\n</metadata>"),
+              std::string::npos);
+    ASSERT_TRUE(writePicture(path, 10, 10, [](Canvas&) {}));
+    EXPECT_EQ(readFile(path, 1U << 20U)->find("<title>"), std::string::npos);
 }
 
 }  // namespace

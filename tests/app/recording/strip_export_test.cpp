@@ -11,28 +11,14 @@
 #include "core/strip/strip_points.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
+#include "tests/support/felt_strip.h"
 
 namespace terratact {
 namespace {
 
-/// A robot that felt a step, turned left on the spot, and felt it again.
 struct StripExport : testing::Test {
     RobotModel robot = absolem();
-    Strip strip{robot};
-
-    StripExport()
-    {
-        Measurement line;
-        line.travelled = 1.0;
-        line.turned = 0.2;
-        for (const double turn : {0.0, 0.5}) {
-            line.time += 0.1;
-            *line.turned += turn;
-            strip.add(line);
-            strip.beginScene(line);
-            strip.enter(leftStepEstimate(), turn > 0.0 ? 8 : 7);
-        }
-    }
+    Strip strip = feltStrip(robot);
 
     static std::vector<std::string> lines(const std::string& text)
     {

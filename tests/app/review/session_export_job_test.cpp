@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/figures/strip_file.h"
+#include "app/recording/what_if.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "tests/support/export_bench.h"
+#include "tests/support/felt_strip.h"
 #include "tests/support/gui.h"
 #include "tests/support/robot_session.h"
 
@@ -47,6 +50,24 @@ TEST_F(ExportOf, visibleAndWholeExportsEqualTheCommandLines)
     choose("CAN frames", ".mcap", "cursors.mcap");
     write();
     EXPECT_EQ(written("cursors.mcap"), commandWrites("command-cursors.mcap", cursors));
+}
+
+TEST_F(ExportOf, theStripEqualsThatOfTheCommand)
+{
+    record();
+    open();
+    auto session = SessionReader::open(path.toStdString());
+    const auto robot = robotOf(*session);
+    const auto strip = stripOf(*session, *robot);
+    for (const std::string name : {"strip.svg", "strip.csv", "strip.ply"}) {
+        const std::string other = directory.file("command-" + name);
+        const Status done = writeStrip(other, strip, *robot, "Strip of felt ground of review.tts");
+        choose("Strip of felt ground", QString::fromStdString(name.substr(5)), name);
+        EXPECT_TRUE(done) << done.error().text;
+        write();
+        EXPECT_TRUE(withoutSurfaces(written(name)) == withoutSurfaces(written("command-" + name)))
+            << name;
+    }
 }
 
 TEST_F(ExportOf, cancelledExportLeavesNoFileAndBlocksNothing)
