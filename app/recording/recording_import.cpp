@@ -15,6 +15,7 @@
 #include "core/log/session_writer.h"
 #include "core/mapping/recorded_frames.h"
 #include "core/mapping/recorded_series.h"
+#include "core/mapping/recording_check.h"
 #include "core/mapping/telemetry_lines.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
@@ -123,7 +124,10 @@ private:
         auto series = readSeries(recording, mapping_, robot_);
         if (!series) return series.error();
         report_.remarks = series->remarks;
+        for (std::string& doubt : importDoubts(*series, mapping_))
+            report_.remarks.push_back(std::move(doubt));
         const std::vector<TelemetryLine> lines = telemetryLines(*series, mapping_);
+        countLeftOut(series->series(Quantity::Pitch), lines.size());
         if (lines.empty())
             return fileError(
                 options_.file,
@@ -141,13 +145,53 @@ private:
                 return told;
         const std::vector<std::size_t> presses = standingPresses(lines, pressRule());
         auto press = presses.begin();
+        auto step = series->clockSteps.begin();
         for (std::size_t i = 0; i < lines.size(); ++i) {
+            for (; step != series->clockSteps.end() && step->time <= lines[i].time; ++step)
+                if (Status told = addClockStep(*step, lines[i].time - begin_); !told) return told;
             const bool isScene = press != presses.end() && *press == i;
             press += isScene ? 1 : 0;
             if (Status written = writeLine(lines[i], isScene); !written) return written;
         }
         report_.lines = lines.size();
         return Done{};
+    }
+
+    /// Adds remarks about values of the pitch that became no line.
+    void countLeftOut(const Series& pitch, std::size_t lines)
+    {
+        if (mapping_.rate > 0.0) return;
+        std::size_t measured = 0, repeated = 0;
+        std::optional<std::int64_t> before;
+        for (const SeriesSample& sample : pitch) {
+            if (!sample.isMeasured) continue;
+            ++measured;
+            repeated += before == sample.time ? 1 : 0;
+            before = sample.time;
+        }
+        if (repeated > 0)
+            report_.remarks.push_back(
+                fmt::format("{} of {} values of the pitch have the time of another one and are "
+                            "left out: are the times rounded, or is their unit another one?",
+                            repeated, measured));
+        if (const std::size_t unknown = measured - repeated - lines; unknown > 0)
+            report_.remarks.push_back(
+                fmt::format("{} of {} values of the pitch are left out, because a flipper angle is "
+                            "not known within {} s (max_gap_s)",
+                            unknown, measured, mapping_.maxGap));
+    }
+
+    Status addClockStep(const ClockStep& step, SessionTime time)
+    {
+        last_ = time;
+        return add(event(
+            EventKind::Gap, "clock",
+            {step.back < 0.0
+                 ? TR_NOOP("core", "the recording's clock was set forward by %1 s; the session "
+                                   "continues evenly")
+                 : TR_NOOP("core", "the recording's clock was set back by %1 s; the session "
+                                   "continues evenly"),
+             fixed(std::abs(step.back), 3)}));
     }
 
     /// Writes the frames that a robot sends for a line, and the scene as a console would capture it.
@@ -178,7 +222,7 @@ private:
         if (!again) return again.error();
         RecordedFrames frames(**again, *mapping_.frames);
         auto press = presses->begin();
-        for (;;) {
+        for (std::size_t steps = 0;;) {
             const auto next = frames.next();
             if (!next) return next.error();
             if (!*next) break;
@@ -186,6 +230,9 @@ private:
             if (!writer_)
                 if (Status begun = begin(frame.time); !begun) return begun;
             last_ = std::max(last_, frame.time - begin_);
+            for (; steps < frames.clockSteps().size(); ++steps)
+                if (Status told = addClockStep(frames.clockSteps()[steps], last_); !told)
+                    return told;
             if (Status added = addFrame(frame.frame, frame.sent); !added) return added;
             if (frame.sent) continue;
             const auto measured = listener_.receive(frame.frame, secondsOf(last_));
@@ -197,6 +244,8 @@ private:
                 if (Status added = addScene(*measured); !added) return added;
         }
         if (!writer_) return fileError(options_.file, frames.emptiness());
+        for (std::string& remark : clockRemarks(frames.clockSteps()))
+            report_.remarks.push_back(std::move(remark));
         if (frames.falls() > 0)
             report_.remarks.push_back(fmt::format(
                 "topic {}: {} frames come before the frame ahead of them; they have its time",

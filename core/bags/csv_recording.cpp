@@ -89,6 +89,7 @@ public:
             return false;
         }
         if (!more || !*more) return more;
+        if (std::exchange(isFirst_, false) && isOfUnits()) return next(message);
         const auto time = readTime();
         if (!time) return time.error();
         message = {.topic = 0,
@@ -119,9 +120,33 @@ private:
         return FieldValue::of(std::string(reader_.fields()[column]));
     }
 
+    /// Returns true, with a remark, for a line below the header that has units instead of numbers.
+    bool isOfUnits()
+    {
+        std::string units;
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const std::string_view field = reader_.fields()[i];
+            if (reader_.isMissing(i)) continue;
+            if (field.find_first_of("0123456789:") != std::string_view::npos) return false;
+            if (units.find(shown(field)) == std::string::npos && units.size() < 80)
+                units += (units.empty() ? "" : ", ") + shown(field);
+        }
+        if (units.empty()) return false;
+        remark(fmt::format("line {} holds no number but {}, and is left out; where these are "
+                           "units, the mapping must give them",
+                           reader_.line(), units));
+        return true;
+    }
+
     Result<std::int64_t> readTime()
     {
         const auto number = reader_.number(timeColumn_, columns_[timeColumn_]);
+        const std::string_view text = reader_.fields()[timeColumn_];
+        if (!number && text.find(':') != std::string_view::npos)
+            return reader_.error(
+                fmt::format("{} is {}, a date or a clock, expected a number: "
+                            "export times as seconds since 1970 or since the begin",
+                            shown(columns_[timeColumn_]), shown(text)));
         if (!number) return number.error();
         if (unit_ == 0.0) unit_ = unitOf(*number);
         if (const auto exact = exactTime(reader_.fields()[timeColumn_], unit_)) return *exact;
@@ -134,7 +159,8 @@ private:
     CsvReader reader_;
     std::vector<std::string> columns_;
     std::size_t timeColumn_;
-    double unit_;  ///< [s]; 0: not known yet
+    bool isFirst_ = true;  ///< the first line below the header is next
+    double unit_;          ///< [s]; 0: not known yet
 };
 
 std::string listOf(const std::vector<std::string>& columns)

@@ -1,6 +1,7 @@
 #include "core/bags/db3_recording.h"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <map>
 #include <utility>
@@ -71,6 +72,13 @@ public:
                 if (++steps_ % kStepsPerGrant == 0) file_.grantSteps();
                 if (!messages_->step()) break;
                 row_ = static_cast<std::uint64_t>(messages_->integer(0));
+                if (!hasTypes()) {
+                    remark(
+                        fmt::format("row {} of messages holds values of a wrong type; it is left "
+                                    "out",
+                                    row_));
+                    continue;
+                }
                 const auto topic = topicOf_.find(messages_->integer(1));
                 if (topic == topicOf_.end()) {
                     remark(fmt::format("row {} of messages is of no topic; it is left out", row_));
@@ -96,6 +104,13 @@ public:
 
 private:
     static constexpr std::uint64_t kStepsPerGrant = 100;
+
+    /// SQLite stores any type in any column.
+    bool hasTypes() const
+    {
+        return messages_->type(1) == SQLITE_INTEGER && messages_->type(2) == SQLITE_INTEGER
+            && messages_->type(3) == SQLITE_BLOB;
+    }
 
     SqliteFile file_;
     std::unique_ptr<SqliteStatement> messages_;

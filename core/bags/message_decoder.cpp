@@ -23,6 +23,9 @@ Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
     std::string_view text;
     if (topic.schema) text = *topic.schema;
     if (text.empty()) {
+        if (topic.type.empty())
+            return Error("the file holds no definition for it; record it again with a newer "
+                         "program");
         text = knownDefinition(topic.type);
         if (text.empty())
             return Error(fmt::format("the file lacks the definition of {}; record it again "

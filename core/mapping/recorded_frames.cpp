@@ -41,6 +41,7 @@ Result<std::optional<RecordedFrame>> RecordedFrames::next()
     if (!*more) return std::optional<RecordedFrame>();
     auto frame = frameOf(message);
     if (!frame) return frame.error();
+    frame->time = follower_.add(frame->time);
     if (last_ && frame->time < *last_) {
         frame->time = *last_;
         ++falls_;

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/bags/recording.h"
 #include "core/base/result.h"
+#include "core/mapping/even_clock.h"
 #include "core/mapping/mapping.h"
 #include "core/wire/can_frame.h"
 
@@ -29,13 +31,17 @@ public:
     Result<std::optional<RecordedFrame>> next();
 
     std::uint64_t falls() const { return falls_; }  ///< frames whose time was raised
-    std::string emptiness() const;                  ///< sentence about a file without such a frame
+    /// Returns where the clock was set; times continue evenly from there.
+    const std::vector<ClockStep>& clockSteps() const { return clock_.steps(); }
+    std::string emptiness() const;  ///< sentence about a file without such a frame
 
 private:
     Result<RecordedFrame> frameOf(const RecordedMessage& message);
 
     Recording& recording_;
     const FramesSource& source_;
+    EvenClock clock_;
+    EvenClock::Follower follower_{clock_};
     std::optional<std::int64_t> last_;
     std::uint64_t falls_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/mapping/rotation.h"
+#include "core/mapping/topic_decoding.h"
 #include "core/mapping/transform_tree.h"
 #include "core/store/file_read.h"
 
@@ -58,7 +59,7 @@ struct FieldReader {
     std::string field;
     Series* into = nullptr;
     std::optional<Quantity> word{};  ///< the field may be a text
-    std::uint64_t messages = 0, found = 0, notFinite = 0;
+    std::uint64_t messages = 0, found = 0, notFinite = 0, texts = 0;
 };
 
 class SeriesReader {
@@ -90,6 +91,8 @@ public:
             if (!*more) break;
             if (Status added = add(message); !added) return added.error();
         }
+        if (Status checked = decoding_.check(recording_.path(), series_.remarks); !checked)
+            return checked.error();
         if (Status checked = checkTopics(); !checked) return checked.error();
         if (Status finished = finish(); !finished) return finished.error();
         return std::move(series_);
@@ -106,8 +109,13 @@ private:
         fields_.push_back(std::move(reader));
     }
 
-    Error fault(const FieldSource& source, std::string_view cause) const
+    /// Damage of the file is the likelier cause where it has any.
+    Error fault(const FieldSource& source, std::string_view cause)
     {
+        for (const std::string& damage : recording_.consumeRemarks())
+            if (damage.find("has no index") == std::string::npos)
+                return fileError(recording_.path(), fmt::format("{}; topic {}: {}", damage,
+                                                                printable(source.topic), cause));
         return fileError(recording_.path(),
                          fmt::format("topic {}: {}; correct [{}] of the mapping",
                                      printable(source.topic), cause, source.table));
@@ -117,10 +125,16 @@ private:
     {
         const std::string topic = recording_.topics()[message.topic].name;
         const auto value = recording_.decode(message);
-        if (!value) return value.error();
+        if (!value) {
+            decoding_.broken(topic, value.error());
+            return Done{};
+        }
+        decoding_.decoded(topic);
         std::int64_t time = message.time;
+        const auto stamp = stampOf(*value);
+        if (stamp)
+            series_.stampOffsets.try_emplace(topic, static_cast<double>(time - *stamp) * 1e-9);
         if (mapping_.byHeader) {
-            const auto stamp = stampOf(*value);
             if (stamp)
                 time = *stamp;
             else
@@ -145,7 +159,10 @@ private:
         if (!number && reader.word)
             if (const auto text = textAt(message, reader.field))
                 number = enumeratorOf(*reader.word, *text);
-        if (!number) return;
+        if (!number) {
+            reader.texts += textAt(message, reader.field) ? 1 : 0;
+            return;
+        }
         ++reader.found;
         const bool isMeasured = source.unless.empty() || !hasField(message, source.unless);
         double value = source.factor * *number;
@@ -218,6 +235,7 @@ private:
     std::string missing(const FieldSource& source, const std::string& field,
                         std::uint64_t messages) const
     {
+        if (recording_.topics().empty()) return "the file has no topic that can be read";
         if (!hasTopic(source.topic))
             return fmt::format("the file has no such topic; its topics are {}", topicList());
         if (messages == 0) return "the topic has no message";
@@ -236,6 +254,14 @@ private:
                        fmt::format(
                            "{} values of {} are null or not finite; they count as not measured",
                            reader.notFinite, shown(reader.field)));
+            if (reader.texts > 0)
+                remark(reader, fmt::format("{} values of {} are texts, expected numbers; they are "
+                                           "left out",
+                                           reader.texts, shown(reader.field)));
+            if (reader.found > 0 && reader.found == reader.notFinite && isNeeded(reader))
+                return fault(*reader.source,
+                             fmt::format("all {} values of {} are null or not finite", reader.found,
+                                         shown(reader.field)));
             if (reader.found > 0) continue;
             const std::string cause = missing(*reader.source, reader.field, reader.messages);
             if (isNeeded(reader)) return fault(*reader.source, cause);
@@ -277,12 +303,29 @@ private:
     Status finish()
     {
         if (Status status = addAttitude(); !status) return status;
+        makeEven();
         addOdometry();
         for (Series& series : series_.of) sort(series);
         for (auto& side : series_.forces)
             for (Series& series : side) sort(series);
         integrateSpeed();
         return checkOverlap();
+    }
+
+    /// Lets times continue where the clock was set. Samples are still in the file's order.
+    void makeEven()
+    {
+        EvenClock clock;
+        for (Series& series : series_.of) clock.make(series);
+        for (auto& side : series_.forces)
+            for (Series& series : side) clock.make(series);
+        clock.make(odometry_);
+        series_.clockSteps = clock.steps();
+        for (std::string& remark : clockRemarks(clock.steps()))
+            series_.remarks.push_back(std::move(remark));
+        if (clock.isDisordered())
+            series_.remarks.push_back("the messages are not in the order of their times; they "
+                                      "were sorted");
     }
 
     static void sort(Series& series) { std::ranges::stable_sort(series, {}, &SeriesSample::time); }
@@ -354,7 +397,7 @@ private:
     }
 
     /// Refuses topics whose clocks differ so much that their times do not overlap with those of pitch.
-    Status checkOverlap() const
+    Status checkOverlap()
     {
         const Series& pitch = series_.series(Quantity::Pitch);
         for (const FieldReader& reader : fields_) {
@@ -377,6 +420,7 @@ private:
     RecordedSeries series_;
     std::vector<FieldReader> fields_;
     std::set<std::string> topics_, unstamped_;
+    TopicDecoding decoding_;
     std::vector<PoseSample> attitude_, odometry_;
     std::string attitudeFrame_;
     TransformTree transforms_;

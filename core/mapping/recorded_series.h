@@ -11,6 +11,7 @@
 
 #include "core/bags/recording.h"
 #include "core/base/result.h"
+#include "core/mapping/even_clock.h"
 #include "core/mapping/mapping.h"
 #include "core/robot/robot_model.h"
 
@@ -35,14 +36,19 @@ struct RecordedSeries {
     {
         return of.at(static_cast<std::size_t>(quantity));
     }
-    std::vector<std::string> remarks{};  ///< sentences about what is missing or was left out
+    std::vector<std::string> remarks{};   ///< sentences about what is missing or was left out
+    std::vector<ClockStep> clockSteps{};  ///< where the clock was set, in the order of time
+    /// How far header.stamp lies before the recorder's time [s], at each topic's first message.
+    std::map<std::string, double> stampOffsets{};
 };
 
 /// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll,
 /// poses and speed become way and heading: the way is summed along the forward axis. Errors name the
 /// file, the topic, and what to do. A topic or field is missing that the pose needs, or the transforms
-/// lack a frame. The topics' times do not overlap. There are more than kMaxSamples values. Values that
-/// are not finite, and optional fields that are missing, are left out with a remark.
+/// lack a frame. The topics' times do not overlap. There are more than kMaxSamples values. At most half of
+/// a topic's messages can be decoded. Values that are not finite, texts instead of numbers, messages
+/// that cannot be decoded, and optional fields that are missing, are left out with a remark. Where the
+/// clock was set, times continue evenly.
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot);
 

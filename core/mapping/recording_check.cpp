@@ -9,7 +9,6 @@
 #include <set>
 
 #include "core/base/text.h"
-#include "core/mapping/recorded_series.h"
 #include "core/mapping/recording_survey.h"
 
 namespace terratact {
@@ -59,18 +58,22 @@ void addGaps(const TopicSurvey& survey, const Mapping& mapping, Findings& findin
                                    mapping.maxGap, survey.gaps, kSurveyGap));
 }
 
+void addClock(const std::string& topic, double offset, Findings& findings)
+{
+    if (std::abs(offset) <= kMaxClockOffset) return;
+    findings.push_back(fmt::format("topic {}: header.stamp lies {:.3f} s {} the recorder's time: "
+                                   "the clocks differ; use [time] source = \"recorder\"",
+                                   printable(topic), std::abs(offset),
+                                   offset > 0.0 ? "before" : "after"));
+}
+
 void addClocks(const std::vector<TopicSurvey>& surveys, Findings& findings)
 {
     const TopicSurvey* other = nullptr;
     for (const TopicSurvey& survey : surveys) {
         if (!survey.stampOffset) continue;
         const double offset = *survey.stampOffset;
-        if (std::abs(offset) > kMaxClockOffset)
-            findings.push_back(fmt::format("topic {}: header.stamp lies {:.3f} s {} the recorder's "
-                                           "time: the clocks differ; use "
-                                           "[time] source = \"recorder\"",
-                                           printable(survey.topic.name), std::abs(offset),
-                                           offset > 0.0 ? "before" : "after"));
+        addClock(survey.topic.name, offset, findings);
         if (other && std::abs(offset - *other->stampOffset) > kMaxOffsetBetween)
             findings.push_back(fmt::format("topics {} and {}: their clocks, or the ways to the "
                                            "recorder, differ by {:.3f} s; give "
@@ -231,6 +234,16 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
     if (!series) return series.error();
     for (std::string& remark : series->remarks) findings.push_back(std::move(remark));
     SeriesCheck(*series, mapping, findings).run();
+    return findings;
+}
+
+std::vector<std::string> importDoubts(const RecordedSeries& series, const Mapping& mapping)
+{
+    Findings findings;
+    for (std::size_t q = 0; q < static_cast<std::size_t>(Quantity::Activity); ++q)
+        addUnits(static_cast<Quantity>(q), mapping, rangeOf(series.of.at(q)), findings);
+    if (mapping.byHeader)
+        for (const auto& [topic, offset] : series.stampOffsets) addClock(topic, offset, findings);
     return findings;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/mapping/mapping.h"
+#include "core/mapping/recorded_series.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -20,5 +21,9 @@ namespace terratact {
 /// Errors are those of readSeries().
 Result<std::vector<std::string>> checkRecording(const std::string& path, const Mapping& mapping,
                                                 const RobotModel& robot);
+
+/// Returns those doubts that make the numbers of an import wrong: units of angles, and clocks that
+/// differ from the recorder's.
+std::vector<std::string> importDoubts(const RecordedSeries& series, const Mapping& mapping);
 
 }  // namespace terratact

@@ -4943,6 +4943,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>its repeated row count is not a positive whole number: %1</source>
         <translation>počet jejích opakovaných řádků není kladné celé číslo: %1</translation>
     </message>
+    <message>
+        <source>the recording&apos;s clock was set forward by %1 s; the session continues evenly</source>
+        <translation>hodiny záznamu byly posunuty vpřed o %1 s; relace pokračuje rovnoměrně</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s clock was set back by %1 s; the session continues evenly</source>
+        <translation>hodiny záznamu byly vráceny o %1 s; relace pokračuje rovnoměrně</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

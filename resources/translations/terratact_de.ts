@@ -4943,6 +4943,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>its repeated row count is not a positive whole number: %1</source>
         <translation>die Zahl seiner wiederholten Zeilen ist keine ganze Zahl größer als 0: %1</translation>
     </message>
+    <message>
+        <source>the recording&apos;s clock was set forward by %1 s; the session continues evenly</source>
+        <translation>die Uhr der Aufzeichnung wurde um %1 s vorgestellt; die Sitzung geht gleichmäßig weiter</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s clock was set back by %1 s; the session continues evenly</source>
+        <translation>die Uhr der Aufzeichnung wurde um %1 s zurückgestellt; die Sitzung geht gleichmäßig weiter</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -173,5 +173,46 @@ TEST_F(ImportedSessions, anExistingSessionIsKept)
     EXPECT_EQ(contentOf(directory.file("a.tts")), "mine");
 }
 
+TEST_F(ImportedSessions, whatIsLeftOutOrDoubtfulIsSaid)
+{
+    const auto remarksOf = [this](const std::string& rows, const std::string& name) {
+        const auto done =
+            imported(directory.write("a.csv", fmt::format("t,{}\n{}", kPoseColumns, rows)),
+                     directory.write("m.toml", csvMapping()), name);
+        EXPECT_TRUE(done) << done.error().text;
+        return done ? done->remarks : std::vector<std::string>{};
+    };
+    EXPECT_EQ(remarksOf("0,0,0,0,0,0\n0,0,0,0,0,0\n9,0,0,0,0,0\n", "a.tts"),
+              std::vector<std::string>{
+                  "1 of 3 values of the pitch have the time of another one and are left out: are "
+                  "the times rounded, or is their unit another one?"});
+    const auto unknown = remarksOf("0,0,0,0,0,0\n1,0,,0,0,0\n", "b.tts");
+    ASSERT_EQ(unknown.size(), 2U);
+    EXPECT_EQ(unknown[1], "1 of 2 values of the pitch are left out, because a flipper angle is not "
+                          "known within 0.5 s (max_gap_s)");
+    const auto degrees = remarksOf("0,0,45,0,0,0\n", "c.tts");
+    ASSERT_EQ(degrees.size(), 1U);
+    EXPECT_EQ(degrees[0].find("[front_left]: reaches 45.000 rad, more than 6.283: degrees may be"),
+              0U);
+}
+
+TEST_F(ImportedSessions, aSetClockIsAnEventAndNoLongSession)
+{
+    std::string rows = fmt::format("t,{}\n", kPoseColumns);
+    for (int i = 0; i < 20; ++i)
+        rows += fmt::format("{},0,0,0,0,0\n", 0.1 * i + (i < 10 ? 7200.0 : 0.0));
+    const auto done =
+        imported(directory.write("a.csv", rows), directory.write("m.toml", csvMapping()), "a.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_NEAR(done->seconds, 1.9, 1e-6);
+    auto reader = SessionReader::open(directory.file("a.tts"));
+    const auto events = reader->events();
+    const auto step = std::ranges::find(events, EventKind::Gap, &EventRow::kind);
+    ASSERT_NE(step, events.end());
+    EXPECT_EQ(step->text,
+              "the recording's clock was set back by 7199.900 s; the session continues evenly");
+    EXPECT_NEAR(secondsOf(step->time), 1.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -77,5 +77,24 @@ TEST_F(CsvSeries, aTornLastLineIsLeftOut)
     EXPECT_EQ(remarks, std::vector<std::string>{"ends within its last line, which is left out"});
 }
 
+TEST_F(CsvSeries, aLineOfUnitsIsLeftOutAndShown)
+{
+    EXPECT_EQ(rows("t,pitch,x\ns,deg,\n1,0.5,\n"), (Rows{{1'000'000'000, 0.5}}));
+    EXPECT_EQ(remarks, std::vector<std::string>{
+                           "line 2 holds no number but 's', 'deg', and is left out; where these "
+                           "are units, the mapping must give them"});
+    EXPECT_TRUE(rows("t,pitch\nx,0.5\n").empty());
+    EXPECT_NE(why.find("line 2: t is not a number: 'x'"), std::string::npos) << why;
+}
+
+TEST_F(CsvSeries, datesAreNamed)
+{
+    EXPECT_TRUE(rows("t,pitch\n2024-01-02 03:04:05.678,0.5\n").empty());
+    EXPECT_NE(why.find("line 2: 't' is '2024-01-02 03:04:05.678', a date or a clock, expected a "
+                       "number: export times as seconds"),
+              std::string::npos)
+        << why;
+}
+
 }  // namespace
 }  // namespace terratact

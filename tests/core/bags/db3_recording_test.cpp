@@ -126,5 +126,17 @@ TEST_F(Db3Files, aCutFileIsNamed)
     EXPECT_NE(remarks.back().find("it was read up to there"), std::string::npos) << remarks.back();
 }
 
+TEST_F(Db3Files, aRowOfWrongTypesIsLeftOut)
+{
+    const std::string path =
+        written(tables() + message(1, 5, number(1.5))
+                + "INSERT INTO messages(topic_id, timestamp, data) VALUES(1, 6, 'text'), (1, "
+                  "'noon', x'00'), ('one', 7, x'00');"
+                + message(1, 8, number(2.5)));
+    EXPECT_EQ(read(path), (std::vector<std::string>{"/a 5 1.500000", "/a 8 2.500000"}));
+    ASSERT_EQ(remarks.size(), 3U);
+    EXPECT_EQ(remarks[0], "row 2 of messages holds values of a wrong type; it is left out");
+}
+
 }  // namespace
 }  // namespace terratact

@@ -213,6 +213,57 @@ TEST_F(SeriesFiles, nanIsNotMeasured)
     EXPECT_EQ(remarks.size(), 2U) << "both fields";
 }
 
+TEST_F(SeriesFiles, damageIsTheCauseOfAMissingTopic)
+{
+    McapBytes mcap = robotFile(R"({"x":0,"y":0,"z":0,"w":1})");
+    mcap.chunk("", 5);
+    const std::string why = whyNot(mcap.file(), robotMapping(""));
+    EXPECT_NE(why.find("has a wrong checksum; it is left out; topic /joints: the file has no topic "
+                       "that can be read"),
+              std::string::npos)
+        << why;
+    EXPECT_EQ(why.find("correct ["), std::string::npos) << "the mapping is not the cause";
+}
+
+TEST_F(SeriesFiles, brokenMessagesAreCountedAndLeftOut)
+{
+    McapBytes mcap = robotFile(R"({"x":0,"y":0,"z":0,"w":1})");
+    mcap.message(2, kSecond / 10 + 1, R"({"name":[)");
+    EXPECT_EQ(lines(mcap.file(), robotMapping("")).size(), 5U);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_EQ(remarks[0].find("1 of 6 messages cannot be decoded and are left out; the first: "
+                              "topic /joints: the message at byte "),
+              0U)
+        << remarks[0];
+    for (int i = 0; i < 9; ++i) mcap.message(2, kSecond, "{");
+    EXPECT_NE(whyNot(mcap.file(), robotMapping("")).find("topic /joints: the message at byte"),
+              std::string::npos)
+        << "most are broken";
+}
+
+TEST_F(SeriesFiles, textsInsteadOfNumbersAreCounted)
+{
+    const std::string head = fmt::format("t,{}\n", kPoseColumns);
+    EXPECT_EQ(lines(head + "0,0,0,0,0,0\n0.1,inf,0,0,0,0\n0.2,abc,0,0,0,0\n", csvMapping()).size(),
+              1U);
+    EXPECT_EQ(remarks, std::vector<std::string>{"topic /csv, [pitch]: 2 values of 'pitch' are "
+                                                "texts, expected numbers; they are left out"});
+    EXPECT_NE(whyNot(head + "0,nan,0,0,0,0\n", csvMapping())
+                  .find("all 1 values of 'pitch' are null or not finite; correct [pitch]"),
+              std::string::npos);
+}
+
+TEST_F(SeriesFiles, timesContinueWhereTheClockWasSet)
+{
+    const std::string head = fmt::format("t,{}\n", kPoseColumns);
+    const auto found =
+        lines(head + "9000,0,0,0,0,0\n9000.1,0.1,0,0,0,0\n5400.2,0.2,0,0,0,0\n", csvMapping());
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[2].time, 9'000'200'000'000);
+    EXPECT_EQ(found[2].measurement.pitch, 0.2) << "the order of the file is kept";
+    EXPECT_EQ(remarks.size(), 1U);
+}
+
 TEST(TransformTree, chainsAreFollowedBothWays)
 {
     TransformTree tree;

@@ -1,0 +1,60 @@
+#include "core/mapping/even_clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terratact {
+namespace {
+
+constexpr double kMaxFall = 1.0, kMaxRise = 3660.0 * 86'400.0;  // [s]
+constexpr double kSameStep = 10.0;  // steps of two series that differ by less are one [s]
+constexpr std::int64_t kSecondNs = 1'000'000'000;
+
+}  // namespace
+
+std::optional<double> clockStepBetween(std::int64_t before, std::int64_t time)
+{
+    // Doubles: the difference may be beyond 64 bits.
+    const double back = (static_cast<double>(before) - static_cast<double>(time)) * 1e-9;
+    return back > kMaxFall || back < -kMaxRise ? std::optional(back) : std::nullopt;
+}
+
+std::int64_t EvenClock::Follower::add(std::int64_t time)
+{
+    const auto even = [this, time] {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(time) + shift);
+    };
+    const auto back = before ? clockStepBetween(*before, time) : std::nullopt;
+    if (back) {
+        const bool isKnown =
+            steps < clock.steps_.size() && std::abs(clock.steps_[steps].back - *back) < kSameStep;
+        const std::uint64_t own = static_cast<std::uint64_t>(*before)
+                                - static_cast<std::uint64_t>(time)
+                                + static_cast<std::uint64_t>(interval);
+        shift += isKnown ? clock.steps_[steps].shift : own;
+        if (steps == clock.steps_.size()) clock.steps_.push_back({even(), *back, own});
+        ++steps;
+    } else if (before && time > *before) {
+        interval = std::min(time - *before, kSecondNs);
+    }
+    before = time;
+    return even();
+}
+
+std::vector<std::string> clockRemarks(const std::vector<ClockStep>& steps)
+{
+    constexpr std::size_t kMost = 5;
+    std::vector<std::string> remarks;
+    for (std::size_t i = 0; i < std::min(kMost, steps.size()); ++i)
+        remarks.push_back(fmt::format("the clock was set {} by {:.3f} s while this was recorded; "
+                                      "times continue evenly from there",
+                                      steps[i].back > 0.0 ? "back" : "forward",
+                                      std::abs(steps[i].back)));
+    if (steps.size() > kMost)
+        remarks.push_back(fmt::format("the clock was set {} more times", steps.size() - kMost));
+    return remarks;
+}
+
+}  // namespace terratact
