@@ -9,7 +9,7 @@ namespace {
 SourceText faultOf(BusState state)
 {
     switch (state) {
-    case BusState::Up: return TR_NOOP("BusWords", "%1 works");
+    case BusState::Up: return TR_NOOP("BusWords", "%1: working");
     case BusState::Stalled:
         return TR_NOOP("BusWords",
                        "%1 does not take frames: no node acknowledges them, or the bus is full. "
@@ -62,7 +62,8 @@ std::string cureOf(BusState state, const std::string& bus)
 
 Message describe(BusState state, const std::string& bus)
 {
-    Message fault(faultOf(state), bus);
+    Message fault(faultOf(state), bus == kInternalBus ? Message(TR_NOOP("BusWords", "internal bus"))
+                                                      : Message::verbatim(bus));
     const std::string command = cureOf(state, bus);
     return command.empty() ? fault : Message::followedBy(std::move(fault), command);
 }

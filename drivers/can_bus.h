@@ -37,6 +37,9 @@ inline constexpr std::array kBusStates{
     BusState::Up,     BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
     BusState::BusOff, BusState::Down,    BusState::Absent,       BusState::Ended};
 
+/// Name of the bus between this program and its own simulated robot; describe() translates it.
+inline constexpr const char* kInternalBus = "internal bus";
+
 /// Returns the command that repairs the state; empty if there is none.
 std::string cureOf(BusState state, const std::string& bus);
 

@@ -8,6 +8,7 @@
 #include "app/runtime/print_text.h"
 #include "app/runtime/steady_now.h"
 #include "core/atem/panel_file.h"
+#include "drivers/can_bus.h"
 #include "drivers/can_interface.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/log_replay.h"
@@ -48,7 +49,7 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
                                     OnFrames onFrames)
 {
     return std::make_unique<CanSource>(
-        builtIn.bus.join("console"), robot,
+        builtIn.bus.join(kInternalBus), robot,
         CanSource::Options{.mode = CanSource::Mode::Transmit,
                            .name = "SIMULATED ROBOT",
                            .link = {.seed = drawn()},

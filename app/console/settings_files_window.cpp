@@ -63,6 +63,8 @@ SettingsFilesWindow::SettingsFilesWindow(PreferenceStore& store, Options options
     column->addWidget(result_);
     showProfiles();
     dropProposal();
+    // What was written or applied is no longer what is in force.
+    connect(&store_, &PreferenceStore::changed, this, [this] { report({}, false); });
     connect(&store_, &PreferenceStore::changed, this, &SettingsFilesWindow::showChanges);
     auto* look = new QTimer(this);
     connect(look, &QTimer::timeout, this, [this] {
@@ -336,10 +338,10 @@ void SettingsFilesWindow::apply()
     const SettingsFile file = *proposal_;
     const QString name = proposedName_;
     dropProposal();
-    report(tr("In force: “%1”").arg(name), false);
     emit applied({TR_NOOP("terratact::SettingsFilesWindow", "settings of “%1” came into force"),
                   verbatim(name)});
     store_.change([&file](Preferences& p) { p = withSettings(std::move(p), file); });
+    report(tr("In force: “%1”").arg(name), false);
 }
 
 }  // namespace terratact

@@ -15,6 +15,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/mission/method_text.h"
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/font_fit.h"
@@ -57,6 +58,15 @@ QString shippedInUseTip()
 QString languageTip()
 {
     return SettingsPage::tr("Restarts the console");
+}
+
+/// Returns one line per method.
+QString methodsTip()
+{
+    QStringList lines;
+    for (const Method method : offeredMethods())
+        lines << QStringLiteral("%1: %2").arg(format::text(name(method)), methodUses(method));
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString defaultsTip()
@@ -201,10 +211,16 @@ void SettingsPage::buildEstimate(QFormLayout* form)
     for (const Method method : offeredMethods()) methods << format::text(name(method));
     for (const QualityPreset preset : kQualityPresets) presets << translated(describe(preset));
     method_ = choice(
-        form, tr("Method"), methods,
-        tr("local and joint are closed formulas; the others sample with Markov chains"),
+        form, tr("Method"), methods, methodsTip(),
         [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
         [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
+    auto* uses = new PlainLabel(this);
+    setTone(*uses, Tone::Muted);
+    uses->setWordWrap(true);
+    uses->setObjectName(QStringLiteral("methodUses"));
+    uses->setAccessibleName(tr("What the method uses"));
+    addField(*form, QString(), uses);
+    shows_.emplace_back([uses](const Preferences& p) { uses->setText(methodUses(p.method)); });
     quality_ = choice(
         form, tr("Quality"), presets,
         tr("Measured by terratact tradeoff: time, mean error, and in brackets the distance of the "

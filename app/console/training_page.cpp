@@ -46,6 +46,23 @@ QString cellText(const TrainingProgress::Cell& cell, bool runs)
              : TrainingPage::tr("done");
 }
 
+/// Returns the whole text of a cell, for which the column may be too narrow.
+QString cellTip(const TrainingProgress::Cell& cell, const QString& text)
+{
+    return cell.state == TrainingProgress::State::Done && cell.logLikelihood
+             ? TrainingPage::tr("%1: the number is the log-likelihood").arg(text)
+             : text;
+}
+
+/// Returns the log-likelihood of all trained parts together.
+double logLikelihood(const TrainingProgress& progress)
+{
+    double sum = 0.0;
+    for (const auto& bin : progress.cells)
+        for (const TrainingProgress::Cell& cell : bin) sum += cell.logLikelihood.value_or(0.0);
+    return sum;
+}
+
 /// Returns the first unused model name.
 QString freeName(const QString& directory)
 {
@@ -326,7 +343,8 @@ void TrainingPage::showProgress()
                      : tr(", time left not known yet"));
     } else if (phase_ == Phase::Trained || phase_ == Phase::Compared) {
         value = kPerMille;
-        text = phase_ == Phase::Trained ? tr("trained") : tr("compared");
+        text =
+            tr("Idle · done (log-likelihood %1)").arg(format::number(logLikelihood(progress), 0));
     } else {
         text = tr("Idle");
     }
@@ -349,7 +367,7 @@ void TrainingPage::showBins(const TrainingProgress& progress)
                 && item->font() == font)
                 continue;
             item->setText(text);
-            setTip(*item, text);  // the column may be too narrow for the text
+            setTip(*item, cellTip(cell, text));
             item->setFont(font);
             item->setForeground(colour);
         }

@@ -76,6 +76,15 @@ inline QString rhat(double value)
     return std::isfinite(value) ? text(rhatText(value)) : kNothing;
 }
 
+/// Returns true if a probability would read 0.00 or 1.00, which it never is.
+bool isExtremeProbability(double p);
+
+/// Formats a probability: "0.97", "more than 0.99", "less than 0.01".
+QString probability(double p);
+
+/// Formats a probability with its Monte-Carlo error, which an extreme one does not show: "0.97 ± 0.01".
+QString probability(double p, double monteCarloSd);
+
 /// Formats a share as a percentage: 0.83 gives "83".
 inline QString percent(double share)
 {

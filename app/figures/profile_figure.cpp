@@ -353,23 +353,27 @@ void drawProfile(Canvas& canvas, const FigureInput& input)
 
 std::string profileTable(const TerrainEstimate& estimate, const std::optional<Heights>& truth)
 {
-    std::string table = "   bin  height    sd    80 % band        ceiling  source       touch      "
-                        "    R-hat    ESS";
+    // Only Markov chains have R-hat and effective draws.
+    const bool chains = estimate.ending != Ending::NotSampled;
+    std::string table =
+        "   bin  height    sd    80 % band        ceiling  source       touch       ";
+    if (chains) table += "   R-hat    ESS";
+    const std::string units = "    [m]     [m]  [mm]          [m]            [m]";
+    const std::string gap(table.size() - units.size(), ' ');
     table += truth ? "    truth  error\n" : "\n";
-    table += "    [m]     [m]  [mm]          [m]            [m]                                    "
-             "       ";
-    table += truth ? "      [m]   [mm]\n" : "\n";
+    table += units;
+    table += truth ? gap + "      [m]   [mm]\n" : "\n";
     auto out = std::back_inserter(table);
     for (std::size_t i = 0; i < kBins; ++i) {
         const int bin = static_cast<int>(i);
         const std::string ceiling =
             std::isfinite(estimate.ceiling[i]) ? fmt::format("{:+.3f}", estimate.ceiling[i]) : "-";
-        fmt::format_to(
-            out,
-            "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11}  {:<12} {:>7} {:6.0f}",
-            binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
-            estimate.q90[i], ceiling, name(provenance(estimate, bin)), name(estimate.touch[i]),
-            rhatText(estimate.rhat[i]), estimate.ess[i]);
+        fmt::format_to(out, "  {:+.1f}  {:+.3f}  {:4.0f}  {:+.3f} … {:+.3f}  {:>8}  {:<11}  {:<12}",
+                       binCentre(bin), estimate.height[i], 1000.0 * estimate.sd[i], estimate.q10[i],
+                       estimate.q90[i], ceiling, name(provenance(estimate, bin)),
+                       name(estimate.touch[i]));
+        if (chains)
+            fmt::format_to(out, " {:>7} {:6.0f}", rhatText(estimate.rhat[i]), estimate.ess[i]);
         if (truth)
             fmt::format_to(out, "   {:+.3f}  {:+5.0f}", (*truth)[i],
                            1000.0 * (estimate.height[i] - (*truth)[i]));

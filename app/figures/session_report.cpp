@@ -68,7 +68,7 @@ Facts verdictFacts(const TwoTrackVerdict& v, double limit)
 }
 
 void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate& e,
-             const RecordedSide& side, bool names)
+             const RecordedSide& side, bool names, bool chains)
 {
     for (std::size_t i = 0; i < kBins; ++i) {
         const int bin = static_cast<int>(i);
@@ -79,9 +79,12 @@ void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate
                  fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
                  signedNumber(e.q90[i], 3),
                  std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3) : "none",
-                 std::string(name(provenance(e, bin))), std::string(name(e.touch[i])),
-                 rhatText(e.rhat[i]), fmt::format("{:.0f}", e.ess[i])})
+                 std::string(name(provenance(e, bin))), std::string(name(e.touch[i]))})
             row.push_back(std::move(cell));
+        if (chains) {
+            row.push_back(rhatText(e.rhat[i]));
+            row.push_back(fmt::format("{:.0f}", e.ess[i]));
+        }
         if (table.front().back() == "truth [m]")
             row.push_back(side.truth ? signedNumber(side.truth->at(i), 3) : "");
     }
@@ -90,13 +93,17 @@ void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate
 std::vector<std::vector<std::string>> tableOf(const TwoTrackEstimate& e, const SceneRow& scene)
 {
     std::vector<std::vector<std::string>> table{{"bin [m]", "height [m]", "sd [mm]", "q10 [m]",
-                                                 "q90 [m]", "ceiling [m]", "known by", "touch",
-                                                 "R-hat", "ESS"}};
+                                                 "q90 [m]", "ceiling [m]", "known by", "touch"}};
+    // Only Markov chains have R-hat and effective draws.
+    const bool chains = e.side[0].ending != Ending::NotSampled
+                     || (!e.onePlane && e.side[1].ending != Ending::NotSampled);
+    if (chains) table.front().insert(table.front().end(), {"R-hat", "ESS"});
     const std::vector<RecordedSide> sides = recordedSides(e.onePlane, &scene);
     if (!e.onePlane) table.front().insert(table.front().begin(), "side");
     if (std::ranges::any_of(sides, [](const auto& side) { return side.truth.has_value(); }))
         table.front().emplace_back("truth [m]");
-    for (const RecordedSide& side : sides) addRows(table, e.side.at(side.index), side, !e.onePlane);
+    for (const RecordedSide& side : sides)
+        addRows(table, e.side.at(side.index), side, !e.onePlane, chains);
     return table;
 }
 

@@ -65,7 +65,7 @@ Precondition Preconditions::nothingToRelease()
 
 Precondition Preconditions::noProbeProposed()
 {
-    return missing(TR_NOOP("Preconditions", "no probe is proposed"));
+    return missing(TR_NOOP("Preconditions", "no open question"));
 }
 
 Precondition Preconditions::odometry(bool reported)

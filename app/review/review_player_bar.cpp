@@ -382,7 +382,7 @@ void ReviewPlayerBar::addStepKeys(KeyTable& keys)
          [this] { stepTo(sceneTimes(), true); });
     step(Qt::Key_PageDown, tr("to the next scene, with its estimate"),
          [this] { stepTo(sceneTimes(), false); });
-    step(Qt::Key_Up, tr("to the event before"), [this] { stepTo(eventTimes(), true); });
+    step(Qt::Key_Up, tr("to the previous event"), [this] { stepTo(eventTimes(), true); });
     step(Qt::Key_Down, tr("to the next event"), [this] { stepTo(eventTimes(), false); });
     for (int lane = 0; lane < kReviewLanes; ++lane) {
         const auto key = static_cast<Qt::Key>(Qt::Key_1 + lane);

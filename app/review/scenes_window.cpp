@@ -109,7 +109,7 @@ ScenesWindow::ScenesWindow(Options options)
         connect(button, &QPushButton::clicked, this, [this, by] { go(by); });
     };
     tool(tr("next\n."), tr("Next scene (.)"), +1);
-    tool(tr("before\n,"), tr("Previous scene (,)"), -1);
+    tool(tr("previous\n,"), tr("Previous scene (,)"), -1);
     addHelpTool();
 
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {

@@ -46,10 +46,6 @@
 <context>
     <name>BusWords</name>
     <message>
-        <source>%1 works</source>
-        <translation>%1 funguje</translation>
-    </message>
-    <message>
         <source>%1 does not take frames: no node acknowledges them, or the bus is full. Check the robot&apos;s power, the wires and the bit rate</source>
         <translation>%1 nebere rámce: nikdo je nepotvrzuje nebo je sběrnice plná; je robot zapnutý, jsou vodiče a přenosová rychlost v pořádku?</translation>
     </message>
@@ -128,6 +124,14 @@
     <message>
         <source>WARNING</source>
         <translation>VAROVÁNÍ</translation>
+    </message>
+    <message>
+        <source>%1: working</source>
+        <translation>%1: v provozu</translation>
+    </message>
+    <message>
+        <source>internal bus</source>
+        <translation>vnitřní sběrnice</translation>
     </message>
 </context>
 <context>
@@ -241,6 +245,17 @@
     <message>
         <source>There is no file:</source>
         <translation>Soubor není:</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>more than %1</source>
+        <translation>více než %1</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>méně než %1</translation>
     </message>
 </context>
 <context>
@@ -387,6 +402,41 @@
     <message>
         <source>front</source>
         <translation>vpředu</translation>
+    </message>
+</context>
+<context>
+    <name>MethodText</name>
+    <message>
+        <source>uses pitch and flipper angles; Markov chains</source>
+        <translation>užívá sklon a úhly ploutví; Markovovy řetězce</translation>
+    </message>
+    <message>
+        <source>uses pitch, flipper angles and body; Markov chains</source>
+        <translation>užívá sklon, úhly ploutví a tělo robota; Markovovy řetězce</translation>
+    </message>
+    <message>
+        <source>uses what pac uses, forces and currents; Markov chains</source>
+        <translation>užívá totéž co pac, síly a proudy; Markovovy řetězce</translation>
+    </message>
+    <message>
+        <source>uses what pafc uses, and the arm; Markov chains</source>
+        <translation>užívá totéž co pafc a rameno; Markovovy řetězce</translation>
+    </message>
+    <message>
+        <source>uses what pafc uses, and models the clearance; Markov chains</source>
+        <translation>užívá totéž co pafc a modeluje světlost; Markovovy řetězce</translation>
+    </message>
+    <message>
+        <source>uses pose, forces, currents and clearance; closed form</source>
+        <translation>užívá polohu, síly, proudy a světlost; uzavřený vzorec</translation>
+    </message>
+    <message>
+        <source>uses what joint uses, and the most similar scenes; closed form</source>
+        <translation>užívá totéž co joint a nejpodobnější scény; uzavřený vzorec</translation>
+    </message>
+    <message>
+        <source>uses what local uses, and the way before; closed form</source>
+        <translation>užívá totéž co local a předchozí cestu; uzavřený vzorec</translation>
     </message>
 </context>
 <context>
@@ -793,10 +843,6 @@
         <translation>robot STOP nepotvrdil</translation>
     </message>
     <message>
-        <source>no probe is proposed</source>
-        <translation>žádná sonda není navržena</translation>
-    </message>
-    <message>
         <source>there is no STOP to release</source>
         <translation>není žádné STOP k uvolnění</translation>
     </message>
@@ -835,6 +881,10 @@
     <message>
         <source>the robot reports no odometry</source>
         <translation>robot nehlásí ujetou dráhu</translation>
+    </message>
+    <message>
+        <source>no open question</source>
+        <translation>žádná otevřená otázka</translation>
     </message>
 </context>
 <context>
@@ -1631,6 +1681,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>cross slope %1° of %2°, %3 up</source>
         <translation>příčný sklon %1° z %2°, %3 výš</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m, L or R): %2</source>
+        <translation>P(schod &gt; %1 m, L nebo P): %2</translation>
     </message>
 </context>
 <context>
@@ -7900,8 +7954,8 @@ F1</translation>
         <translation>Rameno sonduje %1</translation>
     </message>
     <message>
-        <source>no probe is proposed</source>
-        <translation>žádná sonda není navržena</translation>
+        <source>no probe is proposed; what one would tell:</source>
+        <translation>žádná sonda není navržena; co by zjistila:</translation>
     </message>
 </context>
 <context>
@@ -8655,10 +8709,6 @@ F1</translation>
         <translation>o sekundu vpřed</translation>
     </message>
     <message>
-        <source>to the event before</source>
-        <translation>na předchozí událost</translation>
-    </message>
-    <message>
         <source>to the next event</source>
         <translation>na další událost</translation>
     </message>
@@ -8689,6 +8739,10 @@ F1</translation>
     <message>
         <source>to the next scene, with its estimate</source>
         <translation>na další scénu s jejím odhadem</translation>
+    </message>
+    <message>
+        <source>to the previous event</source>
+        <translation>na předchozí událost</translation>
     </message>
 </context>
 <context>
@@ -9095,12 +9149,6 @@ F1</translation>
         <translation>Další scéna (.)</translation>
     </message>
     <message>
-        <source>before
-,</source>
-        <translation>zpět
-,</translation>
-    </message>
-    <message>
         <source>Previous scene (,)</source>
         <translation>Předchozí scéna (,)</translation>
     </message>
@@ -9127,6 +9175,12 @@ F1</translation>
     <message>
         <source>Pages</source>
         <translation>Stránky</translation>
+    </message>
+    <message>
+        <source>previous
+,</source>
+        <translation>předchozí
+,</translation>
     </message>
 </context>
 <context>
@@ -9600,10 +9654,6 @@ F1</translation>
         <translation>Metoda</translation>
     </message>
     <message>
-        <source>local and joint are closed formulas; the others sample with Markov chains</source>
-        <translation>local a joint jsou uzavřené vzorce; ostatní losují řetězce vzorků</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Kvalita</translation>
     </message>
@@ -9922,6 +9972,10 @@ F1</translation>
     <message>
         <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
         <translation>Co lze připojit, co je špatně a co to spraví (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>What the method uses</source>
+        <translation>Co metoda užívá</translation>
     </message>
 </context>
 <context>
@@ -10417,10 +10471,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>the forces are %1 old</source>
         <translation>síly jsou staré %1</translation>
-    </message>
-    <message>
-        <source>No probe is proposed; what one would tell:</source>
-        <translation>Rameno se nenabízí; co by zjistilo:</translation>
     </message>
     <message>
         <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
@@ -10997,14 +11047,6 @@ vpředu</translation>
         <translation>, zbývající čas zatím neznámý</translation>
     </message>
     <message>
-        <source>trained</source>
-        <translation>natrénováno</translation>
-    </message>
-    <message>
-        <source>compared</source>
-        <translation>porovnáno</translation>
-    </message>
-    <message>
         <source>Compared on %1 scenes</source>
         <translation>Porovnáno, scén: %1</translation>
     </message>
@@ -11040,6 +11082,14 @@ vpředu</translation>
         <source>Idle</source>
         <translation>Nečinné</translation>
     </message>
+    <message>
+        <source>%1: the number is the log-likelihood</source>
+        <translation>%1: číslo je logaritmická věrohodnost</translation>
+    </message>
+    <message>
+        <source>Idle · done (log-likelihood %1)</source>
+        <translation>Nečinné · hotovo (log. věrohodnost %1)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -11074,10 +11124,6 @@ vpředu</translation>
     <message>
         <source>Raises the step limit (PgUp)</source>
         <translation>Překážkou je až vyšší schod (PgUp)</translation>
-    </message>
-    <message>
-        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
-        <translation>P(schod &gt; %1 m vpředu) = %2 ± %3</translation>
     </message>
     <message>
         <source>✔ CLEAR</source>
@@ -11172,10 +11218,6 @@ vpředu</translation>
         <translation>✔ VOLNO do %1 m</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
-        <translation>P(schod &gt; %1 m do %2 m) = %3 ± %4</translation>
-    </message>
-    <message>
         <source>to %1 m</source>
         <translation>do %1 m</translation>
     </message>
@@ -11218,6 +11260,22 @@ vpředu</translation>
     <message>
         <source>Verdict of each side</source>
         <translation>Verdikt každé strany</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m): %3</source>
+        <translation>P(schod &gt; %1 m do %2 m): %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3</source>
+        <translation>P(schod &gt; %1 m do %2 m) = %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead): %2</source>
+        <translation>P(schod &gt; %1 m vpředu): %2</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2</source>
+        <translation>P(schod &gt; %1 m vpředu) = %2</translation>
     </message>
 </context>
 <context>

@@ -46,10 +46,6 @@
 <context>
     <name>BusWords</name>
     <message>
-        <source>%1 works</source>
-        <translation>%1 arbeitet</translation>
-    </message>
-    <message>
         <source>%1 does not take frames: no node acknowledges them, or the bus is full. Check the robot&apos;s power, the wires and the bit rate</source>
         <translation>%1 nimmt keine Rahmen an: niemand bestätigt sie oder der Bus ist voll; ist der Roboter an, stimmen Kabel und Bitrate?</translation>
     </message>
@@ -128,6 +124,14 @@
     <message>
         <source>WARNING</source>
         <translation>WARNUNG</translation>
+    </message>
+    <message>
+        <source>%1: working</source>
+        <translation>%1: in Betrieb</translation>
+    </message>
+    <message>
+        <source>internal bus</source>
+        <translation>interner Bus</translation>
     </message>
 </context>
 <context>
@@ -241,6 +245,17 @@
     <message>
         <source>There is no file:</source>
         <translation>Keine Datei:</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>more than %1</source>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>weniger als %1</translation>
     </message>
 </context>
 <context>
@@ -387,6 +402,41 @@
     <message>
         <source>front</source>
         <translation>vorn</translation>
+    </message>
+</context>
+<context>
+    <name>MethodText</name>
+    <message>
+        <source>uses pitch and flipper angles; Markov chains</source>
+        <translation>nutzt Nickwinkel und Flipperwinkel; Markow-Ketten</translation>
+    </message>
+    <message>
+        <source>uses pitch, flipper angles and body; Markov chains</source>
+        <translation>nutzt Nickwinkel, Flipperwinkel und Rumpf; Markow-Ketten</translation>
+    </message>
+    <message>
+        <source>uses what pac uses, forces and currents; Markov chains</source>
+        <translation>nutzt, was pac nutzt, dazu Kräfte und Ströme; Markow-Ketten</translation>
+    </message>
+    <message>
+        <source>uses what pafc uses, and the arm; Markov chains</source>
+        <translation>nutzt, was pafc nutzt, dazu den Arm; Markow-Ketten</translation>
+    </message>
+    <message>
+        <source>uses what pafc uses, and models the clearance; Markov chains</source>
+        <translation>nutzt, was pafc nutzt, und modelliert den Abstand; Markow-Ketten</translation>
+    </message>
+    <message>
+        <source>uses pose, forces, currents and clearance; closed form</source>
+        <translation>nutzt Pose, Kräfte, Ströme und Abstand; geschlossene Formel</translation>
+    </message>
+    <message>
+        <source>uses what joint uses, and the most similar scenes; closed form</source>
+        <translation>nutzt, was joint nutzt, dazu die ähnlichsten Szenen; geschlossene Formel</translation>
+    </message>
+    <message>
+        <source>uses what local uses, and the way before; closed form</source>
+        <translation>nutzt, was local nutzt, dazu den Weg davor; geschlossene Formel</translation>
     </message>
 </context>
 <context>
@@ -793,10 +843,6 @@
         <translation>der Roboter hat STOP nicht bestätigt</translation>
     </message>
     <message>
-        <source>no probe is proposed</source>
-        <translation>keine Sondierung ist vorgeschlagen</translation>
-    </message>
-    <message>
         <source>there is no STOP to release</source>
         <translation>es gibt kein STOP zu lösen</translation>
     </message>
@@ -835,6 +881,10 @@
     <message>
         <source>the robot reports no odometry</source>
         <translation>der Roboter meldet keinen zurückgelegten Weg</translation>
+    </message>
+    <message>
+        <source>no open question</source>
+        <translation>keine offene Frage</translation>
     </message>
 </context>
 <context>
@@ -1631,6 +1681,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>cross slope %1° of %2°, %3 up</source>
         <translation>Quergefälle %1° von %2°, %3 höher</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m, L or R): %2</source>
+        <translation>P(Stufe &gt; %1 m, L oder R): %2</translation>
     </message>
 </context>
 <context>
@@ -7900,8 +7954,8 @@ F1</translation>
         <translation>Der Arm sondiert: %1</translation>
     </message>
     <message>
-        <source>no probe is proposed</source>
-        <translation>keine Sonde vorgeschlagen</translation>
+        <source>no probe is proposed; what one would tell:</source>
+        <translation>keine Sonde vorgeschlagen; was eine ergäbe:</translation>
     </message>
 </context>
 <context>
@@ -8655,10 +8709,6 @@ F1</translation>
         <translation>eine Sekunde vor</translation>
     </message>
     <message>
-        <source>to the event before</source>
-        <translation>zum Ereignis davor</translation>
-    </message>
-    <message>
         <source>to the next event</source>
         <translation>zum nächsten Ereignis</translation>
     </message>
@@ -8689,6 +8739,10 @@ F1</translation>
     <message>
         <source>to the next scene, with its estimate</source>
         <translation>zur nächsten Szene, mit ihrer Schätzung</translation>
+    </message>
+    <message>
+        <source>to the previous event</source>
+        <translation>zum vorigen Ereignis</translation>
     </message>
 </context>
 <context>
@@ -9095,12 +9149,6 @@ F1</translation>
         <translation>Nächste Szene (.)</translation>
     </message>
     <message>
-        <source>before
-,</source>
-        <translation>zurück
-,</translation>
-    </message>
-    <message>
         <source>Previous scene (,)</source>
         <translation>Szene davor (,)</translation>
     </message>
@@ -9127,6 +9175,12 @@ F1</translation>
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>previous
+,</source>
+        <translation>vorige
+,</translation>
     </message>
 </context>
 <context>
@@ -9600,10 +9654,6 @@ F1</translation>
         <translation>Methode</translation>
     </message>
     <message>
-        <source>local and joint are closed formulas; the others sample with Markov chains</source>
-        <translation>local und joint sind geschlossene Formeln; die anderen ziehen Ketten von Stichproben</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Güte</translation>
     </message>
@@ -9922,6 +9972,10 @@ F1</translation>
     <message>
         <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
         <translation>Was verbunden werden kann, was nicht stimmt und was es behebt (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>What the method uses</source>
+        <translation>Was die Methode nutzt</translation>
     </message>
 </context>
 <context>
@@ -10417,10 +10471,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>the forces are %1 old</source>
         <translation>die Kräfte sind %1 alt</translation>
-    </message>
-    <message>
-        <source>No probe is proposed; what one would tell:</source>
-        <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
     </message>
     <message>
         <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
@@ -10997,14 +11047,6 @@ voraus</translation>
         <translation>, Restzeit noch unbekannt</translation>
     </message>
     <message>
-        <source>trained</source>
-        <translation>trainiert</translation>
-    </message>
-    <message>
-        <source>compared</source>
-        <translation>verglichen</translation>
-    </message>
-    <message>
         <source>Compared on %1 scenes</source>
         <translation>Mit %1 Szenen verglichen</translation>
     </message>
@@ -11040,6 +11082,14 @@ voraus</translation>
         <source>Idle</source>
         <translation>Untätig</translation>
     </message>
+    <message>
+        <source>%1: the number is the log-likelihood</source>
+        <translation>%1: die Zahl ist die Log-Likelihood</translation>
+    </message>
+    <message>
+        <source>Idle · done (log-likelihood %1)</source>
+        <translation>Untätig · fertig (Log-Likelihood %1)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::VerdictStrip</name>
@@ -11074,10 +11124,6 @@ voraus</translation>
     <message>
         <source>Raises the step limit (PgUp)</source>
         <translation>Erst eine höhere Stufe gilt als Hindernis (PgUp)</translation>
-    </message>
-    <message>
-        <source>P(step &gt; %1 m ahead) = %2 ± %3</source>
-        <translation>P(Stufe &gt; %1 m voraus) = %2 ± %3</translation>
     </message>
     <message>
         <source>✔ CLEAR</source>
@@ -11172,10 +11218,6 @@ voraus</translation>
         <translation>✔ FREI bis %1 m</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m) = %3 ± %4</source>
-        <translation>P(Stufe &gt; %1 m bis %2 m) = %3 ± %4</translation>
-    </message>
-    <message>
         <source>to %1 m</source>
         <translation>bis %1 m</translation>
     </message>
@@ -11218,6 +11260,22 @@ voraus</translation>
     <message>
         <source>Verdict of each side</source>
         <translation>Urteil je Seite</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m): %3</source>
+        <translation>P(Stufe &gt; %1 m bis %2 m): %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3</source>
+        <translation>P(Stufe &gt; %1 m bis %2 m) = %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead): %2</source>
+        <translation>P(Stufe &gt; %1 m voraus): %2</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m ahead) = %2</source>
+        <translation>P(Stufe &gt; %1 m voraus) = %2</translation>
     </message>
 </context>
 <context>

@@ -98,7 +98,7 @@ class OnARealBus(unittest.TestCase):
     def test_a_monitor_outlives_its_interface(self):
         monitor = Running("can", "monitor", "vcan0")
         self.addCleanup(monitor.end)
-        monitor.until("vcan0 works")
+        monitor.until("vcan0: working")
         ip("delete", "vcan0")
         monitor.until("vcan0 does not exist")
         ip("add", "dev", "vcan0", "type", "vcan")
@@ -108,7 +108,7 @@ class OnARealBus(unittest.TestCase):
         monitor.until("[1] 5A (unknown identifier)")
 
     def test_a_monitor_ends_at_its_limit(self):
-        self.assertIn("vcan0 works", run("can", "monitor", "vcan0", "--seconds", 0.5))
+        self.assertIn("vcan0: working", run("can", "monitor", "vcan0", "--seconds", 0.5))
 
     def test_check_separates_absent_down_and_usable(self):
         run("can", "check", "vcan0")

@@ -28,6 +28,12 @@ Card::Card(const QString& title, QWidget* parent) : QFrame(parent)
     body_->addLayout(titleRow_);
 }
 
+void Card::setNote(const QString& text, Tone tone)
+{
+    note_->setText(text);
+    setTone(*note_, tone);
+}
+
 void Card::setTitle(const QString& title)
 {
     heading_->setText(title);

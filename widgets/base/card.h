@@ -3,6 +3,8 @@
 #include <QFrame>
 #include <QMargins>
 
+#include "app/display/tone.h"
+
 class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;
@@ -18,6 +20,7 @@ public:
     QVBoxLayout* body() const { return body_; }
     QHBoxLayout* titleRow() const { return titleRow_; }  ///< row for controls beside the title
     QLabel* note() const { return note_; }
+    void setNote(const QString& text, Tone tone);
     void setTitle(const QString& title);
     void setTitleShown(bool shown);  ///< also shows or hides the note
     int frameHeight() const;         ///< [px] above and below the body, title included

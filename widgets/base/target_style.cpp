@@ -1,11 +1,13 @@
 #include "widgets/base/target_style.h"
 
+#include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOptionMenuItem>
 #include <QStyleOptionSpinBox>
 #include <algorithm>
 
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {
@@ -45,6 +47,18 @@ QRect TargetStyle::subControlRect(ComplexControl control, const QStyleOptionComp
     }
     default: return usual;
     }
+}
+
+void TargetStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                     QPainter* painter, const QWidget* widget) const
+{
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (control != CC_SpinBox && control != CC_ComboBox) return;
+    painter->save();
+    painter->setPen(theme().muted);
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
 }
 
 int TargetStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,

@@ -190,7 +190,9 @@ int ProbeCard::leastHeight() const
 {
     const QSize buttons =
         answers_->layout()->totalMinimumSize();  // the buttons are hidden or shown together
-    return frameHeight() + facts_->minimumSizeHint().height() + kProbeGap + buttons.height();
+    const int second = note()->text().contains(u'\n') ? note()->fontMetrics().lineSpacing() : 0;
+    return frameHeight() - second + facts_->minimumSizeHint().height() + kProbeGap
+         + buttons.height();
 }
 
 int ProbeCard::givenHeight() const
@@ -260,8 +262,8 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
     proposal_.reset();
     worth_ = probe;
     whyNotAsked_ = why;
-    note()->setText(tr("no probe is proposed"));
-    setTone(*note(), Tone::Muted);
+    QString note = tr("no probe is proposed; what one would tell:");
+    setNote(note.replace(QStringLiteral("; "), QStringLiteral(";\n")), Tone::Muted);
     showFacts();
     showPage(kQuestion);
 }
@@ -385,10 +387,10 @@ void ProbeCard::showRanking()
 void ProbeCard::setTimeLeft(double seconds)
 {
     const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then refused");
-    note()->setText(isVoid() ? tr("void")
-                    : asks() ? left.arg(format::countdown(seconds))
-                             : QString());
-    setTone(*note(), isVoid() || seconds < 10.0 ? Tone::Bad : Tone::Accent);
+    setNote(isVoid() ? tr("void")
+            : asks() ? left.arg(format::countdown(seconds))
+                     : QString(),
+            isVoid() || seconds < 10.0 ? Tone::Bad : Tone::Accent);
 }
 
 void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
@@ -423,7 +425,7 @@ void ProbeCard::setProbing(ProbePlace place, double elapsed, double expected)
     proposal_.reset();
     worth_.reset();
     setAccessibleDescription(QString());
-    note()->clear();
+    setNote({}, Tone::Accent);
     probingText_->setText(tr("The arm is probing %1").arg(binText(place)));
     const double share =
         expected > 0.0 && std::isfinite(elapsed) ? std::clamp(elapsed / expected, 0.0, 1.0) : 0.0;
@@ -439,7 +441,7 @@ void ProbeCard::setNothing(const QString& why)
     proposal_.reset();
     worth_.reset();
     setAccessibleDescription(QString());
-    note()->setText(QString());  // clear() would lay out again in any case
+    setNote({}, Tone::Muted);
     nothing_->setText(why);
     showPage(kNothing);
 }

@@ -101,14 +101,16 @@ QString sidesText(const TwoTrackVerdict& verdict, bool isShort)
 QString eitherText(const TwoTrackVerdict& verdict, double limit)
 {
     const auto shown = [](const StepProbability& p) {
-        return QStringLiteral("%1 ± %2").arg(format::number(p.p, 2),
-                                             format::randomError(p.monteCarloSd, 2));
+        return format::probability(p.p, p.monteCarloSd);
     };
     const QString height = format::number(limit, 2);
     if (verdict.both == StepVerdict::Clear)
         return TwoTrackWords::tr("P(step > %1 m) L %2, R %3")
             .arg(height, shown(verdict.side[0].toHorizon), shown(verdict.side[1].toHorizon));
-    return TwoTrackWords::tr("P(step > %1 m, L or R) = %2").arg(height, shown(verdict.either));
+    return (format::isExtremeProbability(verdict.either.p)
+                ? TwoTrackWords::tr("P(step > %1 m, L or R): %2")
+                : TwoTrackWords::tr("P(step > %1 m, L or R) = %2"))
+        .arg(height, shown(verdict.either));
 }
 
 QString crossSlopeText(const TwoTrackVerdict& verdict)

@@ -30,7 +30,7 @@ QString likeliestText(const Verdict& verdict)
     return VerdictStrip::tr("most likely at %1 … %2 m (%3)")
         .arg(format::signedNumber(binCentre(verdict.likeliest), 1),
              format::signedNumber(binCentre(verdict.likeliest + 1), 1),
-             format::number(verdict.likeliestP, 2));
+             format::probability(verdict.likeliestP));
 }
 
 QString unfeltText(const std::vector<int>& bins)
@@ -249,13 +249,15 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
 QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
     if (verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded)
-        return tr("P(step > %1 m to %2 m) = %3 ± %4")
+        return (format::isExtremeProbability(verdict.toHorizon.p)
+                    ? tr("P(step > %1 m to %2 m): %3")
+                    : tr("P(step > %1 m to %2 m) = %3"))
             .arg(format::number(limit, 2), format::signedNumber(verdict.horizon, 2),
-                 format::number(verdict.toHorizon.p, 2),
-                 format::randomError(verdict.toHorizon.monteCarloSd, 2));
-    return tr("P(step > %1 m ahead) = %2 ± %3")
-        .arg(format::number(limit, 2), format::number(verdict.step.p, 2),
-             format::randomError(verdict.step.monteCarloSd, 2));
+                 format::probability(verdict.toHorizon.p, verdict.toHorizon.monteCarloSd));
+    return (format::isExtremeProbability(verdict.step.p) ? tr("P(step > %1 m ahead): %2")
+                                                         : tr("P(step > %1 m ahead) = %2"))
+        .arg(format::number(limit, 2),
+             format::probability(verdict.step.p, verdict.step.monteCarloSd));
 }
 
 QString VerdictStrip::whyOf(const Verdict& verdict)

@@ -35,7 +35,7 @@ TEST_F(Pages, signalsLiveAndGoStale)
     EXPECT_TRUE(
         eventually([&] { return window->signalsPage()->headline().contains("of 500 kbit/s"); }));
     picture("signals");
-    EXPECT_TRUE(window->signalsPage()->headline().contains("can0 works"));
+    EXPECT_TRUE(window->signalsPage()->headline().contains("can0: working"));
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     robot.reset();
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") == "--"; }));
@@ -111,7 +111,7 @@ TEST_F(Pages, diagnosticsCanBeCopied)
     QTest::mouseClick(window->diagnosticsPage()->copyButton(), Qt::LeftButton);
     const QString text = QApplication::clipboard()->text();
     for (const char* part : {"Qt: 6.", "Qwt: 6.", "Eigen: 3.", "OpenBLAS: ", "Linux",
-                             "CAN socket: ", "bus: can0 works", "estimator uses: ", "fake.ttm",
+                             "CAN socket: ", "bus: can0: working", "estimator uses: ", "fake.ttm",
                              "made up", "can0", "telemetry to screen: median "})
         EXPECT_TRUE(text.contains(part)) << part << " is not in\n" << text.toStdString();
     EXPECT_GT(residentMemory(), 1e6);

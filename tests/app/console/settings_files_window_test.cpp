@@ -156,7 +156,9 @@ TEST_F(SettingsFilesBench, exportsOnceAndImportsWhatChanges)
     EXPECT_TRUE(window.result().contains("was not replaced")) << window.result().toStdString();
     window.propose(file, "x.settings");
     EXPECT_TRUE(window.result().contains("changes nothing")) << window.result().toStdString();
+    window.exportTo(QString::fromStdString(directory.file("y.settings")));
     setLimit(0.3);
+    EXPECT_EQ(window.result(), "") << "the file does not hold these settings";
     window.propose(file, "x.settings");
     EXPECT_EQ(window.changes()->rowCount(), 1);
 }

@@ -29,6 +29,7 @@ FigureInput flatGround()
     FigureInput input;
     input.title = "Flat ground";
     TerrainEstimate& e = input.estimate;
+    e.ending = Ending::Converged;
     for (std::size_t i = 0; i < kBins; ++i) {
         e.height[i] = -0.24;
         e.sd[i] = 0.01;
@@ -50,6 +51,22 @@ Picture plotOf(Picture picture)
     picture.height = kRows;
     picture.pixels.resize(kRows * static_cast<std::size_t>(picture.width));
     return picture;
+}
+
+TEST(ProfileTable, hasChainsOfASampledEstimateOnly)
+{
+    FigureInput input = flatGround();
+    input.estimate.ending = Ending::Converged;
+    EXPECT_NE(profileTable(input.estimate, std::nullopt).find("R-hat    ESS\n"), std::string::npos);
+    input.estimate.ending = Ending::NotSampled;
+    const std::string table = profileTable(input.estimate, input.estimate.height);
+    EXPECT_EQ(table.find("R-hat"), std::string::npos);
+    const auto line = [&table](int number) {
+        std::size_t begin = 0;
+        while (number-- > 0) begin = table.find('\n', begin) + 1;
+        return table.substr(begin, table.find('\n', begin) - begin).size();
+    };
+    EXPECT_EQ(line(0), line(1)) << table;
 }
 
 class ProfileFigure : public testing::Test {

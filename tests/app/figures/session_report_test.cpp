@@ -28,6 +28,9 @@ TEST_F(Drive, theReportHasWhatWasDecidedAndFitsItsPage)
 {
     auto report = *reportOf(reader, 0);
     ASSERT_EQ(report.table.size(), 12U);
+    const auto& head = report.table.front();
+    EXPECT_EQ(std::ranges::count(head, "R-hat"), 0) << "a closed form has no chains";
+    EXPECT_EQ(report.table.back().size(), head.size());
     ASSERT_EQ(report.figures.size(), 1U);
     ASSERT_TRUE(report.figures[0].previous);
     ASSERT_FALSE(report.events.empty());

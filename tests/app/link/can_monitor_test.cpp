@@ -55,10 +55,10 @@ TEST_F(Monitoring, givesTheLoadWithoutStuffBitsAndWithTheMost)
 {
     monitor.mark(0.0);
     for (int i = 0; i < 1000; ++i) addHeartbeat(0.001 * i);
-    EXPECT_TRUE(says(monitor.headline("can0 works", {}), "can0 works; load - of 500 kbit/s"));
+    EXPECT_TRUE(says(monitor.headline("can0: working", {}), "can0: working; load - of 500 kbit/s"));
     monitor.mark(1.0);
     const std::string text =
-        monitor.headline("can0 works", {.received = 1000, .dropped = 7, .errorFrames = 2});
+        monitor.headline("can0: working", {.received = 1000, .dropped = 7, .errorFrames = 2});
     EXPECT_TRUE(says(text, "load 22.2 to 27.0 % of 500 kbit/s"));
     EXPECT_TRUE(says(text, "1000 frames, 7 dropped, 2 error frames"));
 }

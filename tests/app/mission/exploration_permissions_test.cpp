@@ -9,7 +9,7 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
 {
     EXPECT_EQ(linesOf(exploration->toDrive()),
               "✔ STOP is not latched\n✔ nothing is being explored\n✔ telemetry is live");
-    EXPECT_EQ(linesOf(exploration->toProbe()), "✔ telemetry is live\n✘ no probe is proposed");
+    EXPECT_EQ(linesOf(exploration->toProbe()), "✔ telemetry is live\n✘ no open question");
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
               "✔ telemetry is live\n✘ there is no STOP to release");
     propose();

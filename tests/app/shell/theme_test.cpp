@@ -1,6 +1,7 @@
 // Tests that a theme changes every pixel at once and back.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <algorithm>
 
 #include "app/console/main_window.h"
@@ -8,6 +9,7 @@
 #include "tests/support/look_bench.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/status_header.h"
 
@@ -40,6 +42,19 @@ TEST_F(Look, inTheNightThemeEveryPixelIsRed)
     press(Qt::Key_4);
     EXPECT_TRUE(eventually([&] { return notRed(gui::painted(*window)) > 0.5; }))
         << "the theme changes back while it runs";
+}
+
+TEST_F(Look, aNumberBoxHasAVisibleFrameInEveryTheme)
+{
+    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        applyLook(*qApp, name);
+        QDoubleSpinBox box;
+        box.resize(200, 40);
+        const QImage image = gui::painted(box);
+        for (const QPoint& edge : {QPoint(30, 0), QPoint(30, 39), QPoint(0, 20), QPoint(199, 20)})
+            EXPECT_EQ(image.pixelColor(edge), theme().muted) << edge.x() << ' ' << edge.y();
+    }
+    applyLook(*qApp);
 }
 
 TEST_F(Look, changedWhileItRunsIsAsFromTheStart)

@@ -126,6 +126,15 @@ TEST_F(Strip, neverClaimsToBeWithoutError)
     v.step.monteCarloSd = 0.0051;
     strip.setVerdict(v);
     EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.01 ± 0.01"));
+    v.step.p = 0.996;
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead): more than 0.99"));
+    v.step.p = 0.994;
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.99 ± 0.01"));
+    v.step.p = 0.0;
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead): less than 0.01"));
 }
 
 TEST_F(Strip, givesTheReasonWhyAVerdictIsWithheld)
@@ -265,7 +274,8 @@ TEST_F(Strip, clearReachesToTheNearerHorizon)
     both.side[1].horizon = 0.55;
     both.side[1].step.p = 0.01;
     strip.setVerdict(both);
-    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m) L 0.00 ± < 0.01, R 0.00 ± < 0.01"))
+    EXPECT_EQ(strip.question(),
+              QStringLiteral("P(step > 0.10 m) L less than 0.01, R less than 0.01"))
         << "both sides say the same";
 }
 
