@@ -52,6 +52,12 @@ void addRobotCheck(CLI::App& robot, Job& job)
     const auto o = std::make_shared<RobotCheckOptions>();
     addInput(*c, "file", o->file, "Robot file")->required();
     addFileOutput(*c, "--picture", o->picture, "Picture of the robot to write: PNG, SVG or PDF");
+    auto* recordings =
+        addInput(*c, "--recordings", o->recordings,
+                 "Sessions on a flat, level floor: calibrate tracks, flippers, torque, encoders "
+                 "and IMU from the poses in which the robot stands");
+    addTextOutput(*c, "--out", o->out, "Robot file to write, with the calibrated numbers")
+        ->needs(recordings);
     c->callback([o, &job] { job = [o] { return checkRobotFiles(*o); }; });
 }
 

@@ -215,10 +215,13 @@ struct RobotOptions {
 Status runRobot(const RobotOptions& options);
 
 struct RobotCheckOptions {
-    std::string file;     ///< robot file
-    std::string picture;  ///< PNG, SVG or PDF to write; empty: none
+    std::string file;                     ///< robot file
+    std::string picture;                  ///< PNG, SVG or PDF to write; empty: none
+    std::vector<std::string> recordings;  ///< sessions on a flat floor; empty: no calibration
+    std::string out;                      ///< calibrated robot file to write; empty: none
 };
-/// Prints the findings about a robot file and draws it (app/modelling/robot_check.h). Error if it has a problem.
+/// Prints the findings about a robot file and draws it (app/modelling/robot_check.h). Error if it has a problem. Else
+/// calibrates it from the recordings (app/modelling/robot_calibration.h).
 Status checkRobotFiles(const RobotCheckOptions& options);
 
 }  // namespace terratact

@@ -76,6 +76,8 @@ _terratact_value() {
     "session report:--out") _terratact_files pdf svg png html ;;
     *:--format) _terratact_words candump asc csv mcap ;;
     *:--what) _terratact_words frames signals estimates events ;;
+    "robot check:--out") _terratact_files toml ;;
+    "robot check:--recordings") _terratact_files tts ;;
     *:--out) _terratact_files ;;
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     "model card:--terrain" | *:--trained) ;;
@@ -137,7 +139,7 @@ _terratact_options() {
     "panel check") echo --lamps --watch --seconds ;;
     demo) echo --robot --model --out --method "$estimates" ;;
     robot) echo --robot --can --terrain --fault --seed --speed --seconds ;;
-    "robot check") echo --picture ;;
+    "robot check") echo --picture --recordings --out ;;
     "can decode") echo --interface --csv --summary --protocol --dbc ;;
     "can monitor") echo --seconds --bitrate --interface --speed --protocol --dbc ;;
     "session verify") echo --link ;;

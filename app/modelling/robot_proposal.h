@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/modelling/robot_calibration.h"
+#include "core/base/result.h"
+
+namespace terratact {
+
+/// Returns the calibration in lines for a person: each number beside the file's, with its sd; what the recordings do
+/// not identify, and what would; what standing poses can never tell.
+std::vector<std::string> calibrationReport(const RobotCalibration& calibration,
+                                           const RobotModel& robot);
+
+/// Returns the text of a robot file with the identified numbers in place of the old ones, each with a comment. `name` is for
+/// errors: a number stands on no line of its own.
+Result<std::string> proposedRobotFile(const std::string& name, const std::string& text,
+                                      const RobotCalibration& calibration);
+
+}  // namespace terratact
