@@ -23,6 +23,7 @@ constexpr int kFailed = 1;
 
 int realMain(int argc, char** argv)
 {
+    reportFileSizeLimit();
     openblas_set_num_threads(1);  // our own threads run in parallel, one Gaussian process each
     CommandLine app("Terrain profile by touch for tracked robots that see nothing", "terratact");
     app.set_version_flag("--version", "terratact " TERRATACT_VERSION);

@@ -48,6 +48,7 @@ int refused(Application& application, const ConsoleOptions& options, const Error
 
 int run(int& argc, char** argv)
 {
+    reportFileSizeLimit();
     CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
     ConsoleOptions options;
     declareOptions(app, options);

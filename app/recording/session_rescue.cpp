@@ -198,6 +198,7 @@ Result<SessionRescue> rescueSession(const std::string& path, const std::string& 
     SessionRescue rescue{.recovered = recovery && *recovery == SessionRecovery::Recovered,
                          .why = troubleOf(path)};
     if (rescue.why.empty()) return rescue;
+    if (::access(path.c_str(), R_OK) != 0) return fileError(path, rescue.why);
     rescue.saved.out = out;
     if (Status done = save(path, rescue.why, rescue.saved); !done) return done.error();
     rescue.saved.spans = touching(std::move(rescue.saved.spans));

@@ -1,15 +1,40 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <csignal>
 #include <optional>
 #include <sstream>
+#include <string>
 
 #include "app/runtime/print_text.h"
+#include "core/base/text.h"
 
 namespace terratact {
 
 /// Exit status of a program that was given wrong arguments.
 inline constexpr int kWrongArguments = 2;
+
+/// Throws for the numbers that CLI11's ranges let through: nan, infinity, and whole numbers that are
+/// negative or too large for 64 bits.
+inline void refuseImpossibleNumbers(const CLI::App& app)
+{
+    for (const CLI::Option* const option : app.get_options()) {
+        const std::string type = option->get_type_name();
+        const bool isReal = type.rfind("FLOAT", 0) == 0, isWhole = type.rfind("UINT", 0) == 0;
+        if (!isReal && !isWhole) continue;
+        for (const std::string& text : option->results()) {
+            if (isReal && !std::isfinite(std::strtod(text.c_str(), nullptr)))
+                throw CLI::ValidationError(option->get_name(),
+                                           text + " is no number within the range of numbers");
+            if (isWhole && !integerFrom<std::uint64_t>(text))
+                throw CLI::ValidationError(
+                    option->get_name(),
+                    text + " is no whole number from 0 to 18446744073709551615");
+        }
+    }
+    for (const CLI::App* const below : app.get_subcommands()) refuseImpossibleNumbers(*below);
+}
 
 /// Parses the arguments of a program. Returns the exit status if it is to end: 0 after its help or version was printed,
 /// kWrongArguments after a complaint. Both may quote arguments, and are printed as plain text.
@@ -17,6 +42,7 @@ inline std::optional<int> parseArguments(CLI::App& app, int argc, char** argv)
 {
     try {
         app.parse(argc, argv);
+        refuseImpossibleNumbers(app);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, complaint;
@@ -25,6 +51,13 @@ inline std::optional<int> parseArguments(CLI::App& app, int argc, char** argv)
         printText(stderr, "{}", Lines(complaint.str()));
         return code == 0 ? 0 : kWrongArguments;
     }
+}
+
+/// Lets a file that reaches the limit of `ulimit -f` be an error like a full disk. By default the
+/// system ends the program there, with half of the file written.
+inline void reportFileSizeLimit()
+{
+    (void)std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace terratact

@@ -77,7 +77,8 @@ public:
         LogWords words(line);
         const std::string_view first = words.next();
         if (first.empty() || first.starts_with("//")) return nothing();
-        if (first.front() < '0' || first.front() > '9') return heading(first, words);
+        const bool isTime = isDigits(first.substr(first.front() == '-' ? 1 : 0, 1));
+        if (!isTime) return heading(first, words);
         const Result<double> moment = logSeconds(first);
         if (!moment) return moment.error();
         const double time = isRelative_ ? last_ + *moment : *moment;
@@ -179,7 +180,10 @@ private:
             return expectedInLog(TR_NOOP("core", "a length from 0 to 8"), word);
         frame.length = static_cast<std::uint8_t>(std::min<std::size_t>(*length, kClassicBytes));
         if (frame.remote) return std::optional(std::move(logged));
-        return withBytes(std::move(logged), words);
+        Taken taken = withBytes(std::move(logged), words);
+        CanFrame none;
+        if (taken && setFrameByte(none, 0, words.next(), base())) ++longer_;
+        return taken;
     }
 
     static Taken errorFrame(LoggedFrame logged)

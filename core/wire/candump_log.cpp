@@ -101,6 +101,15 @@ Status readBytes(CanFrame& frame, std::string_view digits)
     return Done{};
 }
 
+// Removes "_F" from "1122334455667788_F": a length code from 9 to 15 means eight bytes (candump -8).
+void removeLengthCode(std::string_view& digits)
+{
+    constexpr std::size_t kDigits = 2 * kClassicBytes;
+    if (digits.size() != kDigits + 2 || digits[kDigits] != '_') return;
+    const auto code = integerFrom<unsigned>(digits.substr(kDigits + 1), 16);
+    if (code && *code > kClassicBytes) digits.remove_suffix(2);
+}
+
 // Reads "044#2A366C2BBA".
 Result<CanFrame> compactFrame(std::string_view word)
 {
@@ -119,7 +128,11 @@ Result<CanFrame> compactFrame(std::string_view word)
                                  content.substr(1, 1));
         content.remove_prefix(2);
         if (frame->error) return Error{TR_NOOP("core", "an error frame cannot be a CAN FD frame")};
+    } else {
+        removeLengthCode(content);
     }
+    if (content.find('#') != std::string_view::npos)
+        return Error{TR_NOOP("core", "a CAN XL frame is not read; expected CAN or CAN FD")};
     if (const Status done = readBytes(*frame, content); !done) return done.error();
     return frame;
 }

@@ -82,9 +82,10 @@ public:
             return std::optional<LoggedFrame>{};
         const Fields fields = logCsvFields(line, separator_);
         LoggedFrame logged;
-        for (const auto step : {&CsvFormat::readTime, &CsvFormat::readKind, &CsvFormat::readId,
-                                &CsvFormat::readBus, &CsvFormat::readBytes})
+        for (const auto step :
+             {&CsvFormat::readTime, &CsvFormat::readKind, &CsvFormat::readId, &CsvFormat::readBus})
             if (const Status done = (this->*step)(fields, logged); !done) return done.error();
+        if (const Status done = readBytes(fields, logged); !done) return done.error();
         return std::optional(std::move(logged));
     }
 
@@ -163,7 +164,7 @@ private:
         return Done{};
     }
 
-    Status readBytes(const Fields& fields, LoggedFrame& logged) const
+    Status readBytes(const Fields& fields, LoggedFrame& logged)
     {
         CanFrame& frame = logged.frame;
         constexpr std::array kLengths{"len", "dlc", "length"};
@@ -184,7 +185,7 @@ private:
         return Done{};
     }
 
-    Status readColumns(const Fields& fields, CanFrame& frame) const
+    Status readColumns(const Fields& fields, CanFrame& frame)
     {
         const auto len = std::find(columns_.begin(), columns_.end(), "len");
         const auto first = static_cast<std::size_t>(len - columns_.begin()) + 1;
@@ -194,7 +195,19 @@ private:
             if (digits.starts_with("0x")) digits.remove_prefix(2);
             if (Status done = setFrameByte(frame, i, digits); !done) return done;
         }
+        countLonger(fields, first + frame.length);
         return Done{};
+    }
+
+    /// Some programs fill all columns of bytes with zeros.
+    void countLonger(const Fields& fields, std::size_t behind)
+    {
+        for (std::size_t i = behind; i < fields.size(); ++i) {
+            const bool isByte = i >= columns_.size() || columns_[i].starts_with('d');
+            if (!isByte || fields[i].find_first_not_of("0x") == std::string_view::npos) continue;
+            ++longer_;
+            return;
+        }
     }
 
     static Status readDigits(std::string_view digits, CanFrame& frame)

@@ -129,7 +129,9 @@ Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line)
     if (first.starts_with(';')) return trcFormat();
     if (isTrcLine(first)) return trcFormat();
     if (isAscHeading(first, begin) || isAscLine(first, second)) return ascFormat();
-    if (first.starts_with('#') || first.starts_with("//")) return std::unique_ptr<LogFormat>();
+    // A spreadsheet may write "sep=;" above its heading.
+    if (first.starts_with('#') || first.starts_with("//") || first.starts_with("sep="))
+        return std::unique_ptr<LogFormat>();
     if (isCsvHeading(begin) || isGvretLine(begin)) return csvFormat(begin);
     if (Message other = otherKindOf(begin, first); !other.empty()) return Error{std::move(other)};
     return candumpFormat();

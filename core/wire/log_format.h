@@ -27,6 +27,9 @@ public:
     std::uint64_t dropped() const { return dropped_; }    ///< frames that the log reports as lost
     std::uint64_t passedOver() const { return passed_; }  ///< lines of events that are no frames
 
+    /// Returns the frames that had more bytes than their length says, which were left out.
+    std::uint64_t longer() const { return longer_; }
+
     /// Returns a remark about the last line; empty: none.
     Message consumeRemark();
 
@@ -34,7 +37,7 @@ protected:
     /// Counts a line that is neither a frame nor a heading.
     std::optional<LoggedFrame> passOver();
 
-    std::uint64_t dropped_ = 0, passed_ = 0;
+    std::uint64_t dropped_ = 0, passed_ = 0, longer_ = 0;
     Message remark_;
 };
 

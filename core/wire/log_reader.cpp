@@ -207,6 +207,13 @@ std::optional<LoggedFrame> LogReader::end()
                                 "%1 lines hold no frame and are passed over, the first is line %2"),
                         passed, firstPassed_))
                 .message);
+    if (format_ && format_->longer() > 0)
+        remarks_.push_back(
+            fileError(name_,
+                      Message(TR_NOOP("core", "%1 frames have more bytes than their length says, "
+                                              "which are left out; the first is in line %2"),
+                              format_->longer(), firstLonger_))
+                .message);
     return std::nullopt;
 }
 
@@ -230,9 +237,10 @@ void LogReader::watchClock(const LoggedFrame& logged)
 
 Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
 {
-    const std::uint64_t passed = format_->passedOver();
+    const std::uint64_t passed = format_->passedOver(), longer = format_->longer();
     Result<std::optional<LoggedFrame>> taken = format_->parse(text_);
     if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
+    if (longer == 0 && format_->longer() > 0) firstLonger_ = line_;
     if (Message said = format_->consumeRemark(); !said.empty()) remark(said);
     // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";

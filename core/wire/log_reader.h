@@ -83,6 +83,7 @@ private:
     std::optional<double> step_;
     std::vector<Message> remarks_;
     std::uint64_t firstPassed_ = 0;  ///< first line without a frame
+    std::uint64_t firstLonger_ = 0;  ///< first line with bytes left out
     bool isTorn_ = false, hasEnded_ = false, hasLooked_ = false;
 };
 

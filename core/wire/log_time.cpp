@@ -1,5 +1,6 @@
 #include "core/wire/log_time.h"
 
+#include <chrono>
 #include <cmath>
 #include <ctime>
 
@@ -28,7 +29,10 @@ std::optional<double> secondsOfLocal(const LogDate& date)
                          && isWithin(date.day, 1, 31) && isWithin(date.hour, 0, 23)
                          && isWithin(date.minute, 0, 59) && date.second >= 0.0
                          && date.second < 61.0;
-    if (!isPossible) return std::nullopt;
+    const std::chrono::year_month_day calendar{
+        std::chrono::year(date.year), std::chrono::month(static_cast<unsigned>(date.month)),
+        std::chrono::day(static_cast<unsigned>(date.day))};
+    if (!isPossible || !calendar.ok()) return std::nullopt;
     const double whole = std::floor(date.second);
     std::tm parts{};
     parts.tm_year = date.year - 1900;

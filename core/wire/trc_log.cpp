@@ -223,12 +223,14 @@ private:
         return setFrameLength(frame, bytes, word);
     }
 
-    static Taken withBytes(LoggedFrame logged, LogWords& words)
+    Taken withBytes(LoggedFrame logged, LogWords& words)
     {
         if (words.rest().starts_with("RTR")) logged.frame.remote = !logged.frame.fd;
         for (std::size_t i = 0; !logged.frame.remote && i < logged.frame.length; ++i)
             if (const Status done = setFrameByte(logged.frame, i, words.next()); !done)
                 return done.error();
+        CanFrame none;
+        if (!logged.frame.remote && setFrameByte(none, 0, words.next())) ++longer_;
         return std::optional(std::move(logged));
     }
 

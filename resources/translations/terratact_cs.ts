@@ -5005,6 +5005,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the recording&apos;s clock was set back by %1 s; the session continues evenly</source>
         <translation>hodiny záznamu byly vráceny o %1 s; relace pokračuje rovnoměrně</translation>
     </message>
+    <message>
+        <source>a CAN XL frame is not read; expected CAN or CAN FD</source>
+        <translation>rámce CAN XL se nečtou; očekáván CAN nebo CAN FD</translation>
+    </message>
+    <message>
+        <source>%1 frames have more bytes than their length says, which are left out; the first is in line %2</source>
+        <translation>%1 rámců má více bajtů, než udává jejich délka; tyto bajty jsou vynechány, poprvé na řádku %2</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

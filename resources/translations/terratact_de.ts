@@ -5005,6 +5005,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the recording&apos;s clock was set back by %1 s; the session continues evenly</source>
         <translation>die Uhr der Aufzeichnung wurde um %1 s zurückgestellt; die Sitzung geht gleichmäßig weiter</translation>
     </message>
+    <message>
+        <source>a CAN XL frame is not read; expected CAN or CAN FD</source>
+        <translation>ein CAN-XL-Frame wird nicht gelesen; erwartet wird CAN oder CAN FD</translation>
+    </message>
+    <message>
+        <source>%1 frames have more bytes than their length says, which are left out; the first is in line %2</source>
+        <translation>%1 Frames haben mehr Bytes, als ihre Länge angibt; diese Bytes sind ausgelassen, zuerst in Zeile %2</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

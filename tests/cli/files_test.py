@@ -216,13 +216,33 @@ class Ranges(Scenes):
     def test_an_export_of_nothing_is_an_error(self):
         out = self.path / "a.csv"
         export = ("session", "export", DEMO, "--out", out)
-        for wrong in (("--from", "11", "--to", "8"), ("--from", "nan"), ("--to", "NaN"), ("--from", "x")):
+        for wrong in (("--from", "11", "--to", "8"), ("--from", "nan"), ("--to", "NaN"), ("--from", "x"),
+                      ("--from", "inf")):
             complaint(*export, *wrong, code=2)
         self.assertIn("nothing was recorded from 1000 s on: the session lasts 82.6 s", complaint(*export, "--from", "1000"))
         self.assertIn("nothing was recorded until -5 s", complaint(*export, "--to", "-5"))
         self.assertIn("no estimates", complaint(*export, "--what", "estimates", "--from", "0", "--to", "1"))
         self.assertFalse(out.exists())
         self.assertIn("is a directory", complaint("session", "info", self.path))
+
+
+class Numbers(Scenes):
+    def test_options_refuse_what_is_no_number_in_range(self):
+        out = self.path / "a.csv"
+        simulate = ("simulate", "--terrain", "varied", "--count", "2", "--out", out)
+        for wrong in (("--step", "nan"), ("--soft-drives", "NaN"), ("--seed", "-1"), ("--seed", "99999999999999999999999"),
+                      ("--tracks", "--cloud", self.path / "m.pcd", "--poses", self.path / "p.csv", "--cloud-noise", "nan")):
+            with self.subTest(wrong=wrong):
+                self.assertIn(wrong[-2] + ": " + wrong[-1], complaint(*simulate, *wrong, code=2))
+        self.assertFalse(out.exists())
+        run(*simulate, "--seed", "18446744073709551615")
+
+    def test_the_limit_of_file_sizes_is_an_error(self):
+        for command in (f"session export {DEMO} --out {self.path}/a.csv", f"session import {LOG} --out {self.path}/a.tts"):
+            with self.subTest(command=command):
+                said = shell(f"ulimit -f 8; $T {command}", code=1).stderr
+                self.assertIn("a.", said)
+                self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("a.")], [], said)
 
 
 class Csv(Scenes):

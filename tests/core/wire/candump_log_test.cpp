@@ -83,6 +83,9 @@ TEST(Candump, readsEveryKindOfFrame)
     EXPECT_EQ(parsed("(1.5) can0 044#R").frame, (CanFrame{.id = 0x44, .remote = true}));
     EXPECT_EQ(parsed("(1.5) can0 044#R4").frame,
               (CanFrame{.id = 0x44, .remote = true, .length = 4}));
+    EXPECT_EQ(parsed("(1.5) can0 044#1122334455667788_F").frame,
+              parsed("(1.5) can0 044#1122334455667788").frame)
+        << "candump -8 writes length codes above 8";
     EXPECT_EQ(parsed("(1.5) can0 044##1AB").frame,
               (CanFrame{.id = 0x44, .fd = true, .length = 1, .data = {0xAB}}));
     EXPECT_EQ(
@@ -134,6 +137,10 @@ TEST(Candump, errorsNameWhatWasExpected)
     says("(2015-07-10 06:17:32.249713  vcan0  044   [0]", "expected a time like (2025");
     says("(2015-13-10 06:17:32.249713)  vcan0  044   [0]", "expected a time like (2025");
     says("(2015-07-10", "expected a time like (2025");
+    says("(2025-02-30 06:17:32.249713)  vcan0  044   [0]", "expected a time like (2025");
+    says("(1.5) can0 044#1122334455667788_8", "at most 8 bytes");
+    says("(1.5) can0 044#11_F", "two hexadecimal digits");
+    says("(1.5) can0 044#2A#00:11223344#11", "a CAN XL frame is not read");
     says("vcan0 044#", "expected a time");
     says("(1.5) sixteen-byte-nam 044#", "name of an interface");
     says("(1.5) can0 44#", "3 or 8 hexadecimal");

@@ -167,12 +167,40 @@ TEST(Logs, asCsvAreRead)
     EXPECT_EQ(fd.frames[0].interface, "can1");
 }
 
+TEST(Logs, countFramesWithMoreBytesThanTheirLength)
+{
+    const std::string trc = ";$FILEVERSION=2.1\n;$STARTTIME=43008.9\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n";
+    const std::string csv = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3\n";
+    for (const std::string& text :
+         {std::string("0.1 1 500 Rx d 1 DD FF\n0.2 1 500 Rx d 1 DD  Length = 0\n"),
+          std::string(" 1) 1059.9 Rx 0500 1 DD FF\n 2) 1060.9 Rx 0500 1 DD\n"),
+          trc + " 1 9.9 DT 1 0500 Rx - 1 DD FF\n 2 10.9 DT 1 0500 Rx - 1 DD\n",
+          csv + "5,500,0,Rx,0,1,DD,FF,\n6,500,0,Rx,0,1,DD,00,\n"}) {
+        const Log log = read(text);
+        ASSERT_EQ(log.frames.size(), 2U) << text << log.error;
+        EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD}));
+        ASSERT_FALSE(log.remarks.empty()) << text;
+        EXPECT_NE(log.remarks.back().find("1 frames have more bytes than their length says, which "
+                                          "are left out; the first is in line "),
+                  std::string::npos)
+            << log.remarks.back();
+    }
+}
+
+TEST(Logs, ofVectorWithNegativeTimesAreRefused)
+{
+    EXPECT_NE(
+        read("0.1 1 500 Rx d 1 DD\n-0.2 1 500 Rx d 1 DD\n").error.find("line 2: expected a time"),
+        std::string::npos);
+}
+
 TEST(Logs, asCsvMayBeSavedByASpreadsheet)
 {
     for (const char* const text :
          {"Time Stamp;ID;Extended;Dir;Bus;LEN;D1;D2\n1000000;500;FALSE;Rx;0;2;DD;FF\n",
           "\"Time Stamp\",\"ID\",\"Extended\",\"Dir\",\"Bus\",\"LEN\",\"D1\",\"D2\"\n"
           "\"1000000\",\"500\",\"false\",\"Rx\",\"0\",\"2\",\"DD\",\"FF\"\n",
+          "sep=;\nTime Stamp;ID;Extended;Dir;Bus;LEN;D1;D2\n1000000;500;FALSE;Rx;0;2;DD;FF\n",
           "time stamp, id, extended, dir, bus, len, d1, d2\n1000000, 500, false, Rx, 0, 2, DD, "
           "FF\n",
           "Time "
