@@ -13,7 +13,10 @@ Result<BagFile> BagFile::open(const std::string& path)
 {
     std::error_code failed;
     if (!std::filesystem::is_regular_file(path, failed))
-        return fileError(path, failed ? failed.message() : "is no regular file");
+        return fileError(
+            path,
+            failed ? failed.message()
+                   : "is no regular file, and it is read back and forth: save it as a file first");
     std::ifstream file(path, std::ios::binary);
     const auto size = std::filesystem::file_size(path, failed);
     if (!file || failed) return fileError(path, "cannot be read");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "core/bags/bag_recording.h"
@@ -54,6 +56,11 @@ Result<FieldValue> Recording::decode(const RecordedMessage& message)
 
 Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const CsvTime& csv)
 {
+    std::error_code none;
+    // The beginning is read to know the format, and again by its reader.
+    if (std::filesystem::is_fifo(path, none) || std::filesystem::is_character_file(path, none))
+        return fileError(path, "is a pipe or device, and a recording is read back and forth: save "
+                               "it as a file first");
     std::ifstream file(path, std::ios::binary);
     std::array<char, 16> head{};
     file.read(head.data(), head.size());

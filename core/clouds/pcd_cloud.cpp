@@ -203,7 +203,7 @@ public:
     Result<bool> next(std::vector<CloudPoint>& block) override
     {
         block.clear();
-        if (left_ == 0) return false;
+        if (left_ == 0) return atEnd();
         for (std::size_t i = nextCount(); i > 0;) {
             const auto more = file_.line(line_);
             if (!more) return more.error();
@@ -231,6 +231,21 @@ public:
     }
 
 private:
+    /// Refuses a file whose header declares too few points.
+    Result<bool> atEnd()
+    {
+        for (;;) {
+            const auto more = file_.line(line_);
+            if (!more) return more.error();
+            if (!*more) return false;
+            splitCloudFields(line_, fields_);
+            if (!fields_.empty())
+                return file_.lineError(fmt::format("is behind the {} points that the header "
+                                                   "declares: correct POINTS and WIDTH",
+                                                   *header_.points));
+        }
+    }
+
     CloudFile file_;
     std::string line_;
     std::vector<std::string_view> fields_;

@@ -245,6 +245,12 @@ class Numbers(Scenes):
                 self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("a.")], [], said)
 
 
+class Recordings(Scenes):
+    def test_a_recording_from_a_pipe_is_refused(self):
+        self.assertIn("save it as a file first",
+                      shell(f"printf 't,pitch\\n0,0\\n' | cat | $T import - --probe", code=1).stderr)
+
+
 class Csv(Scenes):
     def estimated(self, content):
         """Returns the estimates of the scenes in a file with this content."""

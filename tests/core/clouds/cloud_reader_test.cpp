@@ -160,7 +160,9 @@ TEST_F(Clouds, textHasManyForms)
     for (const char* content :
          {"1 2 3\n-4 5.5 6\n", "1,2,3\n-4,5.5,6", "x;y;z\n1;2;3\n-4;5.5;6\n",
           "2\n1 2 3 9\n-4 5.5 6 9\n", "# made\n//X Y Z I\n1\t2\t3\t0\n\n-4\t5.5\t6\t0\n",
-          "t,z_m,y_m,x_m\n0,3,2,1\n0,6,5.5,-4\n"}) {
+          "t,z_m,y_m,x_m\n0,3,2,1\n0,6,5.5,-4\n", "1, 2, 3\n-4 , 5.5 , 6\n",
+          "x;y;z\n1,0;2,0;3\n-4;5,5;6,0\n", "1,0 2 3\n-4 5,5 6,0\n", "1\t2,0\t3\n-4\t5,5\t6\n",
+          "y,x,z,Scalar field\n2,1,3,0\n5.5,-4,6,0\n"}) {
         const auto points = read(content);
         ASSERT_TRUE(points) << content << points.error().text;
         EXPECT_EQ(*points, wanted) << content;
@@ -190,6 +192,9 @@ TEST_F(Clouds, everyRefusalSaysWhatToDo)
     EXPECT_TRUE(refuses(header("x y z", "2", "binary") + "short", {"ends within", "cut"}));
     EXPECT_TRUE(refuses(header("x y z", "2", "ascii") + "1 2 3\n", {"1 points before the 2"}));
     EXPECT_TRUE(refuses(header("x y", "2", "ascii"), {"FIELDS has no z"}));
+    EXPECT_TRUE(refuses(header("x y z", "1", "ascii") + "1 2 3\n\n4 5 6\n",
+                        {"line 10: is behind the 1 points", "correct POINTS"}));
+    EXPECT_TRUE(refuses("1,2.5;3;4\n", {"x is '1,2.5'", "no number"}));
     EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4", "2", "ascii"), {"FIELDS names 3 fields"}));
     EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4 2", "2", "ascii"), {"field z is no number"}));
     EXPECT_TRUE(refuses(header("x y z", "many", "ascii"), {"line 4: WIDTH is 'many'"}));

@@ -51,6 +51,9 @@ TEST_F(Poses, csvHasRunsAndAnyOrder)
     EXPECT_EQ(tracks->size(), 2U);
     EXPECT_EQ(tracks->at("b").at(1.0)->place, Eigen::Vector3d(4, 5, 6));
     EXPECT_EQ(tracks->at("a").begin(), 5.0);
+    const auto german = read("time;x;y;z;qx;qy;qz;qw\n1,5;0,25;2;3;0;0;0;1\n");
+    ASSERT_TRUE(german) << german.error().text;
+    EXPECT_EQ(german->begin()->second.at(1.5)->place, Eigen::Vector3d(0.25, 2, 3));
 }
 
 TEST_F(Poses, everyRefusalNamesTheLine)
