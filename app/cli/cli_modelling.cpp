@@ -169,10 +169,12 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                     "processes over clearances");
     const auto o = std::make_shared<TrainOptions>();
     addRobot(*c, o->robot);
-    auto* const data = addInput(*c, "--data", o->data, "Scenes CSV with all heights");
-    auto* const tracks =
-        addInput(*c, "--tracks", o->tracks,
-                 "Scenes CSV of left and right with all heights: the model also learns two tracks");
+    auto* const data =
+        addInput(*c, "--data", o->data, "Scenes CSV with all heights; several are joined");
+    auto* const tracks = addInput(*c, "--tracks", o->tracks,
+                                  "Scenes CSV of left and right with all heights, joined if "
+                                  "several: the model also learns two "
+                                  "tracks");
     auto* const plane = addInput(*c, "--plane", o->plane,
                                  "Model that learns --tracks; it keeps what it knows of one plane")
                             ->needs(tracks)

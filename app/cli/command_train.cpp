@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <string_view>
@@ -55,12 +55,28 @@ private:
     std::unique_ptr<Progress> progress_;
 };
 
+/// Returns all files but the first.
+std::vector<std::string> others(const std::vector<std::string>& files)
+{
+    return {files.begin() + (files.empty() ? 0 : 1), files.end()};
+}
+
+/// Returns the first file, and how many more there are.
+std::string nameOfAll(const std::vector<std::string>& files)
+{
+    if (files.empty()) return {};
+    return files.size() == 1 ? files.front()
+                             : fmt::format("{} and {} more", files.front(), files.size() - 1);
+}
+
 Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot)
 {
     StageProgress stages;
     return trainModel({.robot = robot,
-                       .data = options.data,
-                       .tracks = options.tracks,
+                       .data = options.data.empty() ? "" : options.data.front(),
+                       .moreData = others(options.data),
+                       .tracks = options.tracks.empty() ? "" : options.tracks.front(),
+                       .moreTracks = others(options.tracks),
                        .plane = options.plane,
                        .scannerSd = options.scannerSd,
                        .conditionalRows = options.conditionalRows,
@@ -134,7 +150,8 @@ Status train(const TrainOptions& options)
     if (!model) return model.error();
     if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));
     if (Status written = writeModel(options.out, *model); !written) return written;
-    if (Status card = writeNewCard(options.out, *model, options.data); !card) return card;
+    if (Status card = writeNewCard(options.out, *model, nameOfAll(options.data)); !card)
+        return card;
     printModel(*model, options.out);
     return Done{};
 }

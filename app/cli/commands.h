@@ -55,8 +55,10 @@ struct TruthOptions {
 Status findTruth(const TruthOptions& options);
 
 struct TrainOptions {
-    std::string robot, data, out;
-    std::string tracks;      ///< scenes of two tracks; empty: the model learns one plane only
+    std::string robot, out;
+    std::vector<std::string> data;  ///< scenes of one plane, in one or several files
+    std::vector<std::string>
+        tracks;              ///< scenes of two tracks; empty: the model learns one plane only
     std::string plane;       ///< model that is kept instead of training on `data`; empty: none
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;

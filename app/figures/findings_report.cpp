@@ -9,6 +9,7 @@
 
 #include "app/figures/evaluation_figure.h"
 #include "app/modelling/evaluation_report.h"
+#include "app/modelling/truth_share_text.h"
 #include "app/runtime/print_text.h"
 #include "core/eval/claims.h"
 #include "core/eval/confidence.h"
@@ -118,11 +119,14 @@ Status writeFigures(const std::filesystem::path& out, const Results& results)
     return Done{};
 }
 
-void printTables(const Results& results, const ReportOptions& options)
+void printTables(const Results& results, const std::vector<BinError>& errors,
+                 const ReportOptions& options)
 {
     printText("\n{}", Lines(evaluationTable(results.summaries)));
     printText("\n{}", Lines(scoresTable(results.summaries, results.confidences, results.times)));
     printText("\n{}", Lines(coverageTable(results.summaries)));
+    if (const std::string share = truthShareText(errors); !share.empty())
+        printText("\n{}", Lines(share));
     if (!results.steps.empty())
         printText("\n{}", Lines(stepsTable(results.steps, options.stepLimit)));
     if (!results.novelty.empty()) printText("\n{}", Lines(groupsTable("novelty", results.novelty)));
@@ -171,7 +175,7 @@ Status reportFindings(const Findings& findings, const std::string& directory)
     const Results results = resultsOf(findings, scenes);
     if (Status s = writeTables(directory, findings, results, scenes); !s) return s;
     if (Status s = writeFigures(directory, results); !s) return s;
-    printTables(results, findings.options);
+    printTables(results, findings.errors, findings.options);
     printClaims(findings.errors, scenes, findings.options);
     printText("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);
     return Done{};

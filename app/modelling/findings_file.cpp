@@ -130,10 +130,10 @@ void writeShared(Writer& writer, const Findings& f)
 
 void writeErrors(Writer& writer, const Findings& f)
 {
-    writer.fill("bin_error", 12, f.errors, [&](const BinError& e, auto put) {
+    writer.fill("bin_error", 13, f.errors, [&](const BinError& e, auto put) {
         const ForecastScores& s = e.scores;
         put(integer(e.scene), runOf(f, e), integer(e.bin), e.error, s.crps, s.pit, integer(s.in50),
-            integer(s.in80), integer(s.in95), s.width, integer(e.origin), e.novelty);
+            integer(s.in80), integer(s.in95), s.width, integer(e.origin), e.novelty, e.truthSd);
     });
     writer.fill("step_forecast", 5, f.steps, [&](const StepForecast& s, auto put) {
         put(integer(s.scene), runOf(f, s), integer(s.place), s.probability, integer(s.observed));
@@ -336,6 +336,7 @@ void readErrors(Reader& reader, Findings& f)
         e.scores.width = reader.real();
         e.origin = static_cast<Origin>(reader.integer(0, 2));
         e.novelty = reader.real(0.0, std::numeric_limits<double>::max());
+        e.truthSd = reader.real(0.0, std::numeric_limits<double>::max());
     });
     reader.read("step_forecast", [&] {
         StepForecast& s = f.steps.emplace_back();

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// Writes findings as *.tte: one SQLite file (application_id 0x54544531, user_version 2). It holds every error,
+/// Writes findings as *.tte: one SQLite file (application_id 0x54544531, user_version 3). It holds every error,
 /// forecast and probe, and the content's hash. The file is written under a temporary name and renamed. Reading returns
 /// bit-identical values, except that -0 becomes 0.
 Status writeFindings(const std::string& path, const Findings& findings);

@@ -13,7 +13,7 @@ std::span<const SqliteTable> findingsTables()
                     "REAL NOT NULL, "
                     "pit REAL NOT NULL, in_50 INTEGER NOT NULL, in_80 INTEGER NOT NULL, "
                     "in_95 INTEGER NOT NULL, width_m REAL NOT NULL, origin INTEGER NOT NULL, "
-                    "novelty REAL NOT NULL) STRICT"},
+                    "novelty REAL NOT NULL, truth_sd_m REAL NOT NULL) STRICT"},
         SqliteTable{"content",
                     "CREATE TABLE content(position INTEGER PRIMARY KEY, sha256 TEXT NOT NULL) "
                     "STRICT"},

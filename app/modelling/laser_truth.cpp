@@ -341,17 +341,21 @@ private:
     void store(std::size_t row)
     {
         const SceneTruth& scene = truth_.truths[row];
-        const auto exchange = [&](OptionalHeights& heights, const SideTruth& found) {
+        const auto exchange = [&](OptionalHeights& heights, OptionalHeights& sd,
+                                  const SideTruth& found) {
             for (std::size_t i = 0; i < kBins; ++i) {
+                sd.at(i) = found.at(i).height ? std::optional(found.at(i).sd) : std::nullopt;
                 const auto before = std::exchange(heights.at(i), found.at(i).height);
                 if (before && found.at(i).height)
                     compare(static_cast<int>(i) < kFirstFlipperBin ? truth_.under : truth_.ahead,
                             *found.at(i).height - *before, found.at(i).sd);
             }
         };
-        if (truth_.isPlane) return exchange(truth_.plane[row].truth, scene.plane);
+        if (truth_.isPlane)
+            return exchange(truth_.plane[row].truth, truth_.plane[row].truthSd, scene.plane);
         for (const std::size_t side : {0U, 1U})
-            exchange(truth_.tracks[row].truth.at(side), scene.side.at(side));
+            exchange(truth_.tracks[row].truth.at(side), truth_.tracks[row].truthSd.at(side),
+                     scene.side.at(side));
     }
 
     static void compare(TruthErrors& e, double error, double sd)

@@ -221,14 +221,58 @@ std::string someOf(const std::set<std::string>& runs)
     return text;
 }
 
+/// Scenes of one or several files, and the hash of what was read.
+template <class SceneType>
+struct ScenesRead {
+    std::vector<SceneType> scenes{};
+    std::vector<Message> notices{};
+    std::string hash{};  ///< SHA-256 of a file; of several, of their hashes in hexadecimal
+};
+
+Result<ScenesRead<Scene>> readScenesAndHash(const std::string& path)
+{
+    auto file = readScenes(path);
+    if (!file) return file.error();
+    return ScenesRead<Scene>{std::move(file->scenes), std::move(file->notices),
+                             std::move(file->hash)};
+}
+
+Result<ScenesRead<TwoTrackScene>> readTracksAndHash(const std::string& path)
+{
+    auto hash = sha256OfFile(path);
+    if (!hash) return hash.error();
+    auto file = readTwoTrackScenes(path);
+    if (!file) return file.error();
+    return ScenesRead<TwoTrackScene>{std::move(file->scenes), std::move(file->notices),
+                                     *std::move(hash)};
+}
+
+/// Reads scenes of all files, which may have other columns each.
+template <class Read, class Report>
+auto readTogether(const std::string& first, const std::vector<std::string>& more, Read read,
+                  const Report& report) -> decltype(read(first))
+{
+    auto all = read(first);
+    if (!all) return all;
+    for (const Message& notice : all->notices) report(notice);
+    for (const std::string& path : more) {
+        auto next = read(path);
+        if (!next) return next;
+        for (const Message& notice : next->notices) report(notice);
+        all->scenes.insert(all->scenes.end(), next->scenes.begin(), next->scenes.end());
+        all->hash += next->hash;
+    }
+    if (!more.empty()) all->hash = sha256Hex(all->hash);
+    return all;
+}
+
 Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
 {
     const auto report = [&](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
-    const auto file = readScenes(plan.data);
+    const auto file = readTogether(plan.data, plan.moreData, readScenesAndHash, report);
     if (!file) return file.error();
-    for (const Message& notice : file->notices) report(notice);
     TrainingSet set;
     try {
         set = prepareTraining(file->scenes, {.conditionalRows = plan.conditionalRows,
@@ -274,14 +318,11 @@ Result<ModelData> readPlane(const TrainingPlan& plan)
 /// Adds the rows of both sides to the model.
 Status readSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData& model)
 {
-    const auto hash = sha256OfFile(plan.tracks);
-    if (!hash) return hash.error();
-    const auto file = readTwoTrackScenes(plan.tracks);
-    if (!file) return file.error();
     const auto report = [&](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
-    for (const Message& notice : file->notices) report(notice);
+    const auto file = readTogether(plan.tracks, plan.moreTracks, readTracksAndHash, report);
+    if (!file) return file.error();
     try {
         SideTrainingSet set = prepareSides(file->scenes);
         if (set.leftOut > 0)
@@ -292,7 +333,7 @@ Status readSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData
     } catch (const std::invalid_argument& error) {
         return fileError(plan.tracks, error.what());
     }
-    model.sidesHash = *hash;
+    model.sidesHash = file->hash;
     model.sidesCommand = plan.commandLine;
     return Done{};
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/learn/data/bin_set.h"
@@ -17,8 +18,10 @@ namespace terratact {
 /// Input and options of a training.
 struct TrainingPlan {
     RobotModel robot;
-    std::string data;      ///< CSV of scenes with all heights
+    std::string data;                     ///< CSV of scenes with all heights
+    std::vector<std::string> moreData{};  ///< more of them, behind the first
     std::string tracks{};  ///< CSV of scenes of two tracks; empty: the model learns one plane only
+    std::vector<std::string> moreTracks{};  ///< more of them, behind the first
     /// Model whose part of one plane is kept, every bit of it; the new one learns `tracks` alone, and
     /// `data` is not read. Empty: `data` trains that part.
     std::string plane{};

@@ -66,6 +66,7 @@ std::vector<BinError> errorsOfBoth(const TrackScenes& scenes, const TrackEstimat
         for (std::size_t side = 0; estimates[k] && side < 2; ++side) {
             Scene own;
             own.truth = scenes[k].truth[side];
+            own.truthSd = scenes[k].truthSd[side];
             const auto more = binErrors(k, own, {}, estimates[k]->side[side]);
             errors.insert(errors.end(), more.begin(), more.end());
         }
@@ -252,7 +253,9 @@ TrackFindings evaluateTracks(const TrackScenes& scenes, const EstimatorBundle& b
             findings.milliseconds = 1000.0 * static_cast<double>(std::clock() - begin)
                                   / CLOCKS_PER_SEC / static_cast<double>(scenes.size());
         if (approach == approaches.front()) countScenes(findings, scenes, estimates, settings);
-        addErrors(findings, approach, scenes, errorsOfBoth(scenes, estimates), settings);
+        const std::vector<BinError> errors = errorsOfBoth(scenes, estimates);
+        if (approach == approaches.front()) findings.truth = truthShare(errors);
+        addErrors(findings, approach, scenes, errors, settings);
         findings.steps.push_back(stepsOf(approach, scenes, estimates, options.stepLimit));
     }
     return findings;
@@ -296,6 +299,12 @@ std::string tracksTable(const TrackFindings& findings)
                         "training); {:.2f} ms of processor time for both sides\n",
                         findings.scenes, findings.failed, share(findings.asOnePlane),
                         share(findings.attitude), share(findings.novel), findings.milliseconds);
+    if (const TruthShare& truth = findings.truth; truth.measured > 0)
+        text += fmt::format(
+            "the truth is measured: {} of {} heights have an sd, {:.1f} mm rms, {:.0f} % of "
+            "the squared error of {}; coverage counts it\n",
+            truth.measured, truth.n, 1000.0 * truth.sd, 100.0 * std::min(truth.share, 1.0),
+            name(findings.errors.front().approach));
     return text;
 }
 

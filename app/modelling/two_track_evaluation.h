@@ -66,6 +66,7 @@ struct TrackFindings {
     std::size_t scenes = 0, failed = 0;
     std::size_t asOnePlane = 0;  ///< scenes that TrackApproach::Both estimated as one plane
     std::size_t attitude = 0;    ///< scenes whose attitude withholds a verdict of one plane
+    TruthShare truth{};          ///< of the measured truth in the errors of the first approach
     std::size_t novel = 0;       ///< scenes that the two tracks call unlike the training
     /// Processor time of one estimate by TrackApproach::Always; by PerSide, if the method samples.
     double milliseconds = 0.0;

@@ -84,9 +84,11 @@ std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
                           .label = label,
                           .bin = bin,
                           .error = estimate.height[i] - *scene.truth[i],
-                          .scores = forecastScores(estimate, bin, *scene.truth[i]),
+                          .scores = forecastScores(estimate, bin, *scene.truth[i],
+                                                   scene.truthSd[i].value_or(0.0)),
                           .origin = estimate.origin[i],
-                          .novelty = estimate.novelty});
+                          .novelty = estimate.novelty,
+                          .truthSd = scene.truthSd[i].value_or(0.0)});
     }
     return errors;
 }
@@ -128,6 +130,21 @@ ErrorStatistics statistics(std::span<const BinError> errors)
     result.sampled = sampled.size();
     result.sampledCoverage = coverageOf(sampled);
     return result;
+}
+
+TruthShare truthShare(std::span<const BinError> errors)
+{
+    TruthShare share;
+    double own = 0.0, all = 0.0;
+    for (const BinError& e : errors) {
+        if (e.truthSd > 0.0) ++share.measured;
+        own += e.truthSd * e.truthSd;
+        all += e.error * e.error;
+    }
+    share.n = errors.size();
+    if (share.n > 0) share.sd = std::sqrt(own / static_cast<double>(share.n));
+    if (all > 0.0) share.share = own / all;
+    return share;
 }
 
 std::vector<MethodSummary> summarise(std::span<const BinError> errors)

@@ -27,6 +27,7 @@ struct BinError {
     ForecastScores scores{};
     Origin origin = Origin::Sampled;
     double novelty = 0.0;  ///< novelty of the scene by this method; 0: not judged
+    double truthSd = 0.0;  ///< [m] of the true height, which the scores count; 0: exact
     bool operator==(const BinError&) const = default;
 };
 
@@ -56,6 +57,16 @@ struct ErrorStatistics {
     bool operator==(const ErrorStatistics&) const = default;
 };
 ErrorStatistics statistics(std::span<const BinError> errors);
+
+/// Part of a measured truth in the errors.
+struct TruthShare {
+    std::size_t n = 0;         ///< errors
+    std::size_t measured = 0;  ///< of them against a truth with an sd
+    double sd = 0.0;           ///< [m] root mean square of the truth's sd
+    double share = 0.0;        ///< Σ sd² / Σ error²: what remains with a perfect estimate
+};
+/// Bands and scores already count this sd (forecastScores).
+TruthShare truthShare(std::span<const BinError> errors);
 
 /// Last bin near the robot: bins −0.3 … 0.5 are under or beside it, where touch can give
 /// information.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/infer/estimate/quantile.h"
@@ -12,6 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr double kHalfOf50 = 0.6744897501960817;  // Φ⁻¹(0.75)
+constexpr double kHalfOf80 = 1.2815515655446004;  // Φ⁻¹(0.9)
 constexpr double kHalfOf95 = 1.9599639845400545;  // Φ⁻¹(0.975)
 
 double normalCdf(double z)
@@ -28,9 +30,34 @@ std::vector<double> sortedDraws(const TerrainEstimate& estimate, std::size_t bin
     return values;
 }
 
+/// Returns sorted draws of what a measurement with this sd reads. The parts of N(0, sd²) are its quantiles, spread over
+/// the draws by the golden ratio, so that every stretch of draws has all of them.
+std::vector<double> measured(std::vector<double> sorted, double sd)
+{
+    constexpr double kGolden = 0.6180339887498949;
+    const auto n = static_cast<double>(sorted.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double turn = (static_cast<double>(i) + 0.5) * kGolden;
+        const double share = (std::floor((turn - std::floor(turn)) * n) + 0.5) / n;
+        sorted[i] += sd * normalQuantile(share);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
 bool within(double low, double truth, double high)
 {
     return low <= truth && truth <= high;
+}
+
+/// Returns true if the truth lies within q10 … q90 of a forecast without draws. Both ends are moved by the truth's sd.
+bool withinMeasuredBand(const TerrainEstimate& estimate, std::size_t bin, double truth,
+                        double truthSd)
+{
+    const double own = kHalfOf80 * truthSd;
+    const double mean = estimate.mean[bin];
+    return within(mean - std::hypot(mean - estimate.q10[bin], own), truth,
+                  mean + std::hypot(estimate.q90[bin] - mean, own));
 }
 
 void scoreNormal(double mean, double sd, double truth, ForecastScores& scores)
@@ -81,19 +108,28 @@ double crpsOfNormal(double mean, double sd, double truth)
     return sd * (z * (2.0 * normalCdf(z) - 1.0) + 2.0 * density - std::numbers::inv_sqrtpi);
 }
 
-ForecastScores forecastScores(const TerrainEstimate& estimate, int bin, double truth)
+ForecastScores forecastScores(const TerrainEstimate& estimate, int bin, double truth,
+                              double truthSd)
 {
     if (bin < 0 || bin >= kBins)
         throw std::invalid_argument("forecastScores: bins are numbered 0 to 10");
+    if (!(truthSd >= 0.0))
+        throw std::invalid_argument("forecastScores: the truth's sd must be 0 or more");
     const auto i = static_cast<std::size_t>(bin);
     ForecastScores scores;
     scores.in80 = within(estimate.q10[i], truth, estimate.q90[i]);
     scores.width = estimate.q90[i] - estimate.q10[i];
-    const std::vector<double> draws = sortedDraws(estimate, i);
-    if (draws.empty() || draws.front() == draws.back())
-        scoreNormal(estimate.mean[i], estimate.sd[i], truth, scores);
-    else
-        scoreDraws(draws, truth, scores);
+    std::vector<double> draws = sortedDraws(estimate, i);
+    if (draws.empty() || draws.front() == draws.back()) {
+        scoreNormal(estimate.mean[i], std::hypot(estimate.sd[i], truthSd), truth, scores);
+        if (truthSd > 0.0) scores.in80 = withinMeasuredBand(estimate, i, truth, truthSd);
+        return scores;
+    }
+    if (truthSd > 0.0) {
+        draws = measured(std::move(draws), truthSd);
+        scores.in80 = within(quantile(draws, 0.1), truth, quantile(draws, 0.9));
+    }
+    scoreDraws(draws, truth, scores);
     return scores;
 }
 

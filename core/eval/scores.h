@@ -36,7 +36,10 @@ double crpsOfNormal(double mean, double sd, double truth);
 /// PIT of n draws: (r + ½) / (n + 1), with r draws below the truth; draws equal to the truth count
 /// half. PIT of a forecast with sd 0: 0, ½ or 1. The 80 % band is q10 … q90, as the operator sees
 /// it.
-/// truth: [m]. Throws std::invalid_argument unless 0 ≤ bin ≤ 10.
-ForecastScores forecastScores(const TerrainEstimate& estimate, int bin, double truth);
+/// truth: [m]. truthSd: of a truth that is itself measured [m]. Bands, CRPS and PIT are then those of the forecast of
+/// what the measurement reads: each draw has its part of N(0, truthSd²) added, and a normal forecast its variance.
+/// `width` stays that of the operator's band. Throws std::invalid_argument unless 0 ≤ bin ≤ 10 and truthSd ≥ 0.
+ForecastScores forecastScores(const TerrainEstimate& estimate, int bin, double truth,
+                              double truthSd = 0.0);
 
 }  // namespace terratact

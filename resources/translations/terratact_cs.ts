@@ -5013,6 +5013,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1 frames have more bytes than their length says, which are left out; the first is in line %2</source>
         <translation>%1 rámců má více bajtů, než udává jejich délka; tyto bajty jsou vynechány, poprvé na řádku %2</translation>
     </message>
+    <message>
+        <source>the sd of its heights do not fit its training rows</source>
+        <translation>směrodatné odchylky výšek neodpovídají trénovacím řádkům</translation>
+    </message>
+    <message>
+        <source>sd of a height: %1</source>
+        <translation>směrodatná odchylka výšky: %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

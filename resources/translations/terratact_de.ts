@@ -5013,6 +5013,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1 frames have more bytes than their length says, which are left out; the first is in line %2</source>
         <translation>%1 Frames haben mehr Bytes, als ihre Länge angibt; diese Bytes sind ausgelassen, zuerst in Zeile %2</translation>
     </message>
+    <message>
+        <source>the sd of its heights do not fit its training rows</source>
+        <translation>die Standardabweichungen der Höhen passen nicht zu den Trainingszeilen</translation>
+    </message>
+    <message>
+        <source>sd of a height: %1</source>
+        <translation>Standardabweichung einer Höhe: %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

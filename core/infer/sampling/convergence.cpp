@@ -1,13 +1,13 @@
 #include "core/infer/sampling/convergence.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "core/infer/estimate/quantile.h"
 
 namespace terratact {
 namespace {
@@ -85,9 +85,6 @@ Eigen::MatrixXd ranks(const Eigen::MatrixXd& x, PolledWork& work)
     return rank;
 }
 
-// Plain double arithmetic: 1e-15 is enough here, and far faster than long double.
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-
 /// Returns normal scores: Vehtari et al. (2021), eq. 14: z = Φ⁻¹((r − 3/8) / (S + 1/4)).
 Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x, const Poll& poll)
 {
@@ -96,8 +93,7 @@ Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x, const Poll& poll)
     const double size = static_cast<double>(x.size());
     return ranks(x, work).unaryExpr([size, &work](double r) {
         work.done(kUnits);
-        const double p = (r - 0.375) / (size + 0.25);
-        return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, InDouble());
+        return normalQuantile((r - 0.375) / (size + 0.25));
     });
 }
 

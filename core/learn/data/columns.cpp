@@ -25,6 +25,11 @@ constexpr Column height(std::string_view name)
     return {name, "m", -5.0, 5.0, TR_NOOP("core", "is it in mm?")};
 }
 
+constexpr Column heightSd(std::string_view name)
+{
+    return {name, "m", 0.0, 5.0, TR_NOOP("core", "is it in mm?")};
+}
+
 constexpr std::array<Column, kFeatures> kFeatureColumns{
     angle("pitch_rad"),        angle("front_rad"), angle("rear_rad"),  current("front_current_a"),
     current("rear_current_a"), force("force_1_n"), force("force_2_n"), force("force_3_n"),
@@ -35,6 +40,12 @@ constexpr std::array<Column, kBins> kHeightColumns{
     height("h_-0.3_m"), height("h_-0.2_m"), height("h_-0.1_m"), height("h_+0.0_m"),
     height("h_+0.1_m"), height("h_+0.2_m"), height("h_+0.3_m"), height("h_+0.4_m"),
     height("h_+0.5_m"), height("h_+0.6_m"), height("h_+0.7_m"),
+};
+
+constexpr std::array<Column, kBins> kHeightSdColumns{
+    heightSd("sd_-0.3_m"), heightSd("sd_-0.2_m"), heightSd("sd_-0.1_m"), heightSd("sd_+0.0_m"),
+    heightSd("sd_+0.1_m"), heightSd("sd_+0.2_m"), heightSd("sd_+0.3_m"), heightSd("sd_+0.4_m"),
+    heightSd("sd_+0.5_m"), heightSd("sd_+0.6_m"), heightSd("sd_+0.7_m"),
 };
 
 }  // namespace
@@ -78,6 +89,11 @@ Proprioception proprioception(const FeatureValues& values)
 std::span<const Column, kBins> heightColumns()
 {
     return kHeightColumns;
+}
+
+std::span<const Column, kBins> heightSdColumns()
+{
+    return kHeightSdColumns;
 }
 
 }  // namespace terratact

@@ -37,4 +37,7 @@ Proprioception proprioception(const FeatureValues& values);
 /// Returns the columns of the heights, rear to front.
 std::span<const Column, kBins> heightColumns();
 
+/// Returns the columns of the heights' sd, rear to front.
+std::span<const Column, kBins> heightSdColumns();
+
 }  // namespace terratact

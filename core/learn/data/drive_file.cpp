@@ -18,8 +18,11 @@ namespace {
 constexpr std::size_t kWayKind = 0, kSceneKind = 1;
 constexpr std::size_t kDriveColumns = 1;  // numbers before those of a scene: travelled_m
 
-SceneColumns withTravelled(SceneColumns columns)
+/// Returns the columns of drives: those of scenes without the last `sds`, which hold the sd of heights.
+SceneColumns withTravelled(SceneColumns columns, std::size_t sds)
 {
+    columns.columns.erase(columns.columns.end() - static_cast<std::ptrdiff_t>(sds),
+                          columns.columns.end());
     columns.columns.insert(columns.columns.begin(),
                            Column{"travelled_m", "m", -1e6, 1e6, {"", "is it in mm?"}});
     columns.neverEmpty += kDriveColumns;
@@ -31,8 +34,8 @@ SceneColumns withTravelled(SceneColumns columns)
 
 const SceneColumns& driveColumns(bool onePlane)
 {
-    static const SceneColumns plane = withTravelled(planeSceneColumns());
-    static const SceneColumns tracks = withTravelled(twoTrackSceneColumns());
+    static const SceneColumns plane = withTravelled(planeSceneColumns(), kPlaneSdColumns);
+    static const SceneColumns tracks = withTravelled(twoTrackSceneColumns(), kTwoTrackSdColumns);
     return onePlane ? plane : tracks;
 }
 
@@ -139,6 +142,7 @@ SceneFileRow driveRow(const DriveLines& drive, const DriveLine& line)
     row.time = toResolution(line.line.time);
     row.kind = line.isScene ? kSceneKind : kWayKind;
     row.values.insert(row.values.begin(), line.line.travelled);
+    row.values.resize(driveColumns(drive.onePlane).columns.size());
     for (std::optional<double>& value : row.values)
         if (value) value = toResolution(*value);
     return row;

@@ -14,6 +14,7 @@ struct Scene {
     double time = 0.0;  ///< [s] since the drive's start
     Proprioception s;
     OptionalHeights truth{};
+    OptionalHeights truthSd{};  ///< [m] sd of each true height; empty: exact
     bool operator==(const Scene&) const = default;
 };
 

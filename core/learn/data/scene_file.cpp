@@ -61,9 +61,8 @@ std::string scenesText(const std::vector<Scene>& scenes)
     if (scenes.size() > kMaxScenes)
         throw std::invalid_argument("writeScenes: more than " + std::to_string(kMaxScenes)
                                     + " scenes, which is what a file may hold");
-    std::string content = sceneHeader(planeSceneColumns());
-    for (const Scene& scene : scenes) content += sceneLine(planeSceneColumns(), sceneRow(scene));
-    return content;
+    return sceneText(planeSceneColumns(), scenes.size(),
+                     [&](std::size_t k) { return sceneRow(scenes[k]); });
 }
 
 Status writeScenes(const std::string& path, const std::vector<Scene>& scenes)

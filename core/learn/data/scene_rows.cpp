@@ -234,6 +234,30 @@ Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& c
     return std::move(layout->notices);
 }
 
+std::string sceneText(SceneColumns columns, std::size_t count,
+                      const std::function<SceneFileRow(std::size_t)>& rowAt)
+{
+    std::vector<bool> used(columns.columns.size(), false);
+    std::fill_n(used.begin(), columns.written, true);
+    for (std::size_t k = 0; k < count; ++k) {
+        const SceneFileRow row = rowAt(k);
+        for (std::size_t i = 0; i < used.size(); ++i)
+            used[i] = used[i] || row.values[i].has_value();
+    }
+    const auto withoutUnused = [&](auto& values) {
+        std::size_t i = 0;
+        std::erase_if(values, [&](const auto&) { return !used[i++]; });
+    };
+    withoutUnused(columns.columns);
+    std::string text = sceneHeader(columns);
+    for (std::size_t k = 0; k < count; ++k) {
+        SceneFileRow row = rowAt(k);
+        withoutUnused(row.values);
+        text += sceneLine(columns, row);
+    }
+    return text;
+}
+
 std::string sceneHeader(const SceneColumns& columns)
 {
     const Slots known(columns);

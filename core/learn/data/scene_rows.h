@@ -23,6 +23,7 @@ struct SceneColumns {
     std::size_t most = 0;        ///< largest number of rows in a file
     std::size_t neverEmpty = 0;  ///< the first columns have a number in every row
     std::size_t required = 0;  ///< the first columns must be in the file, the others may be missing
+    std::size_t written = 0;   ///< the first columns are written even if no row fills them
     std::vector<std::string_view> heightPrefixes;  ///< before the number in a height column: "h_"
     std::string_view heightColumns;                ///< names of the height columns, for an error
 };
@@ -40,6 +41,11 @@ struct SceneFileRow {
 /// reader and is overwritten after `add`.
 Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
                                            const std::function<Status(const SceneFileRow&)>& add);
+
+/// Returns a whole file of `count` rows. Columns after `written` that no row fills are left out. rowAt: called
+/// twice for each number below count. Throws as sceneLine().
+std::string sceneText(SceneColumns columns, std::size_t count,
+                      const std::function<SceneFileRow(std::size_t)>& rowAt);
 
 /// Returns the header of the file.
 std::string sceneHeader(const SceneColumns& columns);

@@ -38,14 +38,16 @@ public:
         addForces(1);
         all_.most = kMaxScenes;
         all_.neverEmpty = kCurrents;
-        all_.required = kTurn;
+        all_.required = all_.written = kTurn;
         add("differential_rad", angle);
         addForces(2);
         addForces(3);
         for (const std::string side : kSideNames)
             for (const Column& height : heightColumns())
                 add(side + "_" + std::string(height.name), height);
-        all_.heightPrefixes = {"left_h_", "right_h_", "h_"};
+        for (const std::string side : kSideNames)
+            for (const Column& sd : heightSdColumns()) add(side + "_" + std::string(sd.name), sd);
+        all_.heightPrefixes = {"left_h_", "right_h_", "h_", "left_sd_", "right_sd_", "sd_"};
         all_.heightColumns = "left_h_-0.3_m … right_h_+0.7_m";
     }
     const SceneColumns& all() const { return all_; }
@@ -90,9 +92,11 @@ const SceneColumns& planeSceneColumns()
                        .most = kMaxScenes,
                        .neverEmpty = 3,  // pitch and the flipper angles
                        .required = kFeatures,
-                       .heightPrefixes = {"h_"},
+                       .written = kFeatures + std::size_t{kBins},
+                       .heightPrefixes = {"h_", "sd_"},
                        .heightColumns = "h_-0.3_m … h_+0.0_m … h_+0.7_m"};
         c.columns.insert(c.columns.end(), heightColumns().begin(), heightColumns().end());
+        c.columns.insert(c.columns.end(), heightSdColumns().begin(), heightSdColumns().end());
         return c;
     }();
     return columns;
@@ -107,9 +111,11 @@ const SceneColumns& twoTrackSceneColumns()
 Scene planeSceneOf(const SceneFileRow& row, std::size_t first)
 {
     FeatureValues features{};
-    OptionalHeights truth{};
-    copyTo(truth, copyTo(features, firstValue(row, first)));
-    return Scene{row.run, row.time, proprioception(features), truth};
+    Scene scene{.run = row.run, .time = row.time, .s = {}};
+    const auto sd = copyTo(scene.truth, copyTo(features, firstValue(row, first)));
+    if (sd != row.values.end()) copyTo(scene.truthSd, sd);
+    scene.s = proprioception(features);
+    return scene;
 }
 
 SceneFileRow sceneRow(const Scene& scene)
@@ -118,12 +124,13 @@ SceneFileRow sceneRow(const Scene& scene)
     const FeatureValues features = featureValues(scene.s);
     row.values.assign(features.begin(), features.end());
     row.values.insert(row.values.end(), scene.truth.begin(), scene.truth.end());
+    row.values.insert(row.values.end(), scene.truthSd.begin(), scene.truthSd.end());
     return row;
 }
 
 TwoTrackScene twoTrackSceneOf(const SceneFileRow& row, std::size_t first)
 {
-    TwoTrackScene scene{.run = row.run, .time = row.time, .s = {}, .truth = {}};
+    TwoTrackScene scene{.run = row.run, .time = row.time, .s = {}};
     auto from = firstValue(row, first);
     scene.s.pitch = (from++)->value();
     scene.s.roll = (from++)->value();
@@ -135,7 +142,8 @@ TwoTrackScene twoTrackSceneOf(const SceneFileRow& row, std::size_t first)
     from = copyTo(scene.s.forces[2], from);
     from = copyTo(scene.s.forces[3], from);
     from = copyTo(scene.truth[0], from);
-    copyTo(scene.truth[1], from);
+    from = copyTo(scene.truth[1], from);
+    if (from != row.values.end()) copyTo(scene.truthSd[1], copyTo(scene.truthSd[0], from));
     return scene;
 }
 
@@ -154,6 +162,8 @@ SceneFileRow sceneRow(const TwoTrackScene& scene)
     add(scene.s.forces[3]);
     add(scene.truth[0]);
     add(scene.truth[1]);
+    add(scene.truthSd[0]);
+    add(scene.truthSd[1]);
     return row;
 }
 

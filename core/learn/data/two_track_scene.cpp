@@ -14,6 +14,7 @@ TwoTrackScene onBothSides(const Scene& scene)
     both.s.forces[indexOf(Flipper::FrontLeft)] = s.force;
     both.s.forces[indexOf(Flipper::FrontRight)] = s.force;
     both.truth = {scene.truth, scene.truth};
+    both.truthSd = {scene.truthSd, scene.truthSd};
     return both;
 }
 
@@ -30,6 +31,7 @@ TwoTrackScene mirrored(const TwoTrackScene& scene)
     TwoTrackScene mirror = scene;
     mirror.s = mirrored(scene.s);
     std::swap(mirror.truth[0], mirror.truth[1]);
+    std::swap(mirror.truthSd[0], mirror.truthSd[1]);
     return mirror;
 }
 

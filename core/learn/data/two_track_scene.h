@@ -15,7 +15,8 @@ struct TwoTrackScene {
     std::string run;    ///< drive that it belongs to
     double time = 0.0;  ///< [s] since the drive's start
     TwoTrackReadings s;
-    std::array<OptionalHeights, 2> truth{};  ///< left, right: sideHeights() of each side
+    std::array<OptionalHeights, 2> truth{};    ///< left, right: sideHeights() of each side
+    std::array<OptionalHeights, 2> truthSd{};  ///< [m] sd of each true height; empty: exact
     bool operator==(const TwoTrackScene&) const = default;
 };
 

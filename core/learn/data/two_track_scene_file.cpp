@@ -40,27 +40,8 @@ std::string twoTrackScenesText(const std::vector<TwoTrackScene>& scenes)
     if (scenes.size() > kMaxScenes)
         throw std::invalid_argument("writeScenes: more than " + std::to_string(kMaxScenes)
                                     + " scenes, which is what a file may hold");
-    SceneColumns columns = twoTrackSceneColumns();
-    std::vector<SceneFileRow> rows;
-    rows.reserve(scenes.size());
-    std::vector<bool> used(columns.columns.size(), false);
-    std::fill_n(used.begin(), columns.required, true);
-    for (const TwoTrackScene& scene : scenes) {
-        rows.push_back(sceneRow(scene));
-        for (std::size_t i = 0; i < used.size(); ++i)
-            used[i] = used[i] || rows.back().values[i].has_value();
-    }
-    const auto withoutUnused = [&](auto& values) {
-        std::size_t i = 0;
-        std::erase_if(values, [&](const auto&) { return !used[i++]; });
-    };
-    withoutUnused(columns.columns);
-    std::string content = sceneHeader(columns);
-    for (SceneFileRow& row : rows) {
-        withoutUnused(row.values);
-        content += sceneLine(columns, row);
-    }
-    return content;
+    return sceneText(twoTrackSceneColumns(), scenes.size(),
+                     [&](std::size_t k) { return sceneRow(scenes[k]); });
 }
 
 }  // namespace terratact

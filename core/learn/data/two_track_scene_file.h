@@ -21,7 +21,8 @@ struct TwoTrackSceneFile {
 ///   front_left_force_1_n … front_left_force_6_n,front_right_force_1_n … front_right_force_6_n
 /// and, if they are known,
 ///   differential_rad, rear_left_force_1_n … rear_right_force_6_n,
-///   left_h_-0.3_m … left_h_+0.7_m, right_h_-0.3_m … right_h_+0.7_m
+///   left_h_-0.3_m … left_h_+0.7_m, right_h_-0.3_m … right_h_+0.7_m,
+///   left_sd_-0.3_m … right_sd_+0.7_m
 /// A file without a column roll_rad is one of one plane (core/learn/data/scene_file.h); its scenes are
 /// then onBothSides(). Empty fields, limits and errors are those of readScenes().
 Result<TwoTrackSceneFile> readTwoTrackScenes(const std::string& path);

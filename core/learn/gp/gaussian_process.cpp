@@ -56,30 +56,32 @@ struct Factor {
 
 /// Returns K + jitter (σ_f² + σ_n²) I with the noise included, upper triangle.
 Eigen::MatrixXd noisyCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
-                                double jitter, const Poll& poll)
+                                const Eigen::VectorXd& rowVariance, double jitter, const Poll& poll)
 {
     const double noise2 = hyper.noiseSd * hyper.noiseSd;
     const double prior = hyper.signalSd * hyper.signalSd + noise2;
     Eigen::MatrixXd K = signalCovariance(X, hyper, poll);
     K.diagonal().array() += noise2 + jitter * prior;
+    if (rowVariance.size() > 0) K.diagonal() += rowVariance;
     return K;
 }
 
 /// Returns rcond 0 if the matrix is not positive definite.
-Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper, double jitter,
-                 const Poll& poll)
+Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
+                 const Eigen::VectorXd& rowVariance, double jitter, const Poll& poll)
 {
-    Factor factor{noisyCovariance(X, hyper, jitter, poll), jitter, 0.0};
+    Factor factor{noisyCovariance(X, hyper, rowVariance, jitter, poll), jitter, 0.0};
     const double norm = symmetricNorm(factor.R, poll);
     if (choleskyUpper(factor.R, poll)) factor.rcond = reciprocalCondition(factor.R, norm, poll);
     return factor;
 }
 
 /// Factorises K with the least jitter that makes it well enough conditioned.
-Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, const Poll& poll)
+Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
+                        const Eigen::VectorXd& rowVariance, const Poll& poll)
 {
     for (const double jitter : {0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
-        Factor factor = tryFactor(X, hyper, jitter, poll);
+        Factor factor = tryFactor(X, hyper, rowVariance, jitter, poll);
         if (factor.rcond >= kMinRcond) return factor;
     }
     throw std::invalid_argument(
@@ -144,14 +146,24 @@ void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                     "positive and the noise sd 0 or more");
 }
 
+void requireRowVariance(const Eigen::VectorXd& rowVariance, Eigen::Index rows)
+{
+    if (rowVariance.size() == 0) return;
+    if (rowVariance.size() != rows || !rowVariance.allFinite() || rowVariance.minCoeff() < 0.0)
+        throw std::invalid_argument(
+            "Gaussian process: needs a variance of 0 or more for each row, or none");
+}
+
 GaussianProcess::GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
-                                 double outputMean, const Poll& poll)
-    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean)
+                                 double outputMean, const Poll& poll, Eigen::VectorXd rowVariance)
+    : X_(std::move(X)), hyper_(std::move(hyper)), outputMean_(outputMean),
+      rowVariance_(std::move(rowVariance))
 {
     requireTrainable(X_, y, hyper_);
+    requireRowVariance(rowVariance_, y.size());
     if (!std::isfinite(outputMean))
         throw std::invalid_argument("Gaussian process: the output mean must be finite");
-    Factor found = factorWithJitter(X_, hyper_, poll);
+    Factor found = factorWithJitter(X_, hyper_, rowVariance_, poll);
     jitter_ = found.jitter;
     rcond_ = found.rcond;
     alpha_ = y;
@@ -182,12 +194,13 @@ GaussianProcess::GaussianProcess(Eigen::MatrixXd Z, SparseProcess process, Hyper
 std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
                                                          const Eigen::VectorXd& y, int inducing,
                                                          Hyperparameters hyper, double outputMean,
-                                                         const Poll& poll)
+                                                         const Poll& poll,
+                                                         Eigen::VectorXd rowVariance)
 {
     if (inducing >= X.rows())
         return std::make_unique<GaussianProcess>(std::move(X), y, std::move(hyper), outputMean,
-                                                 poll);
-    SparseProcess process = sparseProcess(X, y, inducing, hyper, poll);
+                                                 poll, std::move(rowVariance));
+    SparseProcess process = sparseProcess(X, y, inducing, hyper, poll, rowVariance);
     Eigen::MatrixXd Z = X(process.inducing, Eigen::all);
     return std::unique_ptr<GaussianProcess>(
         new GaussianProcess(std::move(Z), std::move(process), std::move(hyper), outputMean, poll));
@@ -195,7 +208,7 @@ std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
 
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
 {
-    Eigen::MatrixXd K = noisyCovariance(X_, hyper_, jitter_, poll);
+    Eigen::MatrixXd K = noisyCovariance(X_, hyper_, rowVariance_, jitter_, poll);
     choleskyUpper(K, poll);  // as when this process was built
     return K;
 }
@@ -204,7 +217,8 @@ Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
 std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
                                                       const Poll& poll) const
 {
-    if (jitter_ > 0.0) return std::nullopt;  // R then belongs to another covariance
+    if (jitter_ > 0.0) return std::nullopt;            // R then belongs to another covariance
+    if (rowVariance_.size() > 0) return std::nullopt;  // rows are not chosen by their own noise
     std::optional<ReducedVariance> reduced = reducedVariance(X_, hyper_, poll);
     if (!reduced) return std::nullopt;
     const std::vector<int> others = rowsNotIn(reduced->rows, X_.rows());

@@ -51,8 +51,10 @@ public:
     /// prediction. poll: as in cholesky.h; what it throws is rethrown, and nothing is built.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, or a length scale is
     /// not positive. It also throws if rcond() would be below kMinRcond with every jitter.
+    /// rowVariance: variance of each output besides σ_n², added to K's diagonal; without rows: 0. A predicted
+    /// variance is that of a height without it.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
-                    double outputMean, const Poll& poll = {});
+                    double outputMean, const Poll& poll = {}, Eigen::VectorXd rowVariance = {});
 
     /// Returns a process that predicts through at most `inducing` rows
     /// (core/learn/gp/sparse_process.h), faster by the square of rows() / inducing. Returns the
@@ -60,7 +62,8 @@ public:
     /// 1.
     static std::unique_ptr<GaussianProcess> sparse(Eigen::MatrixXd X, const Eigen::VectorXd& y,
                                                    int inducing, Hyperparameters hyper,
-                                                   double outputMean, const Poll& poll = {});
+                                                   double outputMean, const Poll& poll = {},
+                                                   Eigen::VectorXd rowVariance = {});
 
     /// Returns the number of rows that a prediction sums over: U, or the inducing rows.
     Eigen::Index rows() const { return X_.rows(); }
@@ -118,6 +121,7 @@ private:
     Eigen::MatrixXd X_;
     Hyperparameters hyper_;
     double outputMean_;
+    Eigen::VectorXd rowVariance_;  // U, or empty
     double jitter_ = 0.0;
     double rcond_ = 1.0;
     Eigen::VectorXd alpha_;
@@ -129,5 +133,8 @@ private:
 /// 1, and every number is in the range of GaussianProcess.
 void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                       const Hyperparameters& hyper);
+
+/// Throws std::invalid_argument unless there is no row variance, or one of 0 or more for each row.
+void requireRowVariance(const Eigen::VectorXd& rowVariance, Eigen::Index rows);
 
 }  // namespace terratact

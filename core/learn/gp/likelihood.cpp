@@ -83,7 +83,8 @@ private:
     AlignedArray<double> block_{area(kRows, kGroup)}, unused_{kGroup};
 };
 
-void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd, const Poll& poll)
+void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd,
+          const Eigen::VectorXd& rowVariance, const Poll& poll)
 {
     for (int panel = 0; panel < K.panels(); ++panel) {
         const int first = panel * kColumns;
@@ -95,6 +96,8 @@ void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd, const Po
         }
         for (int u = first; u < std::min(K.size(), first + kColumns); ++u)
             K.row(panel, u)[u - first] += noiseSd * noiseSd;
+        for (int u = first; rowVariance.size() > 0 && u < std::min(K.size(), first + kColumns); ++u)
+            K.row(panel, u)[u - first] += rowVariance[u];
     }
 }
 
@@ -144,14 +147,16 @@ Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& sign
 }  // namespace
 
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                 const Hyperparameters& hyper, const Poll& poll)
+                                 const Hyperparameters& hyper, const Poll& poll,
+                                 const Eigen::VectorXd& rowVariance)
 {
     requireTrainable(X, y, hyper);
+    requireRowVariance(rowVariance, y.size());
     const auto U = static_cast<int>(X.rows());
     const Eigen::Index d = X.cols();
     SignalCovariance signal(X, hyper);
     SymmetricPanels K(U, poll);
-    fill(K, signal, hyper.noiseSd, poll);
+    fill(K, signal, hyper.noiseSd, rowVariance, poll);
     Eigen::VectorXd alpha = y;
     SymmetricPanels::Factors factors;
     if (!K.invert(alpha, factors, poll) || isSingular(factors))

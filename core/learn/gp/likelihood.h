@@ -20,8 +20,10 @@ struct Likelihood {
 /// doubles (SymmetricPanels).
 /// Throws std::invalid_argument as requireTrainable, and if K is singular to working precision or
 /// the value overflows. There is no jitter, because the search must see a singular K.
-/// poll: called every few milliseconds; what it throws is rethrown.
+/// poll: called every few milliseconds; what it throws is rethrown. rowVariance: variance of each output besides
+/// σ_n², as in GaussianProcess; without rows: 0.
 Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                                 const Hyperparameters& hyper, const Poll& poll = {});
+                                 const Hyperparameters& hyper, const Poll& poll = {},
+                                 const Eigen::VectorXd& rowVariance = {});
 
 }  // namespace terratact

@@ -126,9 +126,16 @@ double ProjectedProcess::errorBound() const
 
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
-                                const Poll& poll, const std::vector<int>& places)
+                                const Poll& poll, const std::vector<int>& places,
+                                const Eigen::VectorXd& rowVariance)
 {
     check(X, y, inducing, hyper);
+    requireRowVariance(rowVariance, y.size());
+    // Rows with another noise are scaled to σ_n.
+    Eigen::ArrayXd scale = Eigen::ArrayXd::Ones(rowVariance.size());
+    if (rowVariance.size() > 0)
+        scale = hyper.noiseSd / (hyper.noiseSd * hyper.noiseSd + rowVariance.array()).sqrt();
+    const auto isScaled = [&scale] { return scale.size() > 0; };
     if (!places.empty() && std::ssize(places) != X.rows())
         throw std::invalid_argument("projected process: needs one place per row");
     const ScaledRows Z = inLengthScales(X, hyper).some(inducing);
@@ -144,14 +151,17 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
         V.middleCols(first, count) /= hyper.noiseSd;
     });
+    if (isScaled()) V.array().rowwise() *= scale.transpose();
     solveLower(outer, V, poll);
     Eigen::MatrixXd inner = onePlusGram(V, poll);
     process.rcond = std::min(process.rcond, factorise(inner));
     solveLower(inner, V, poll);
 
+    Eigen::VectorXd own = y;
+    if (isScaled()) own.array() *= scale;
     Eigen::VectorXd c = Eigen::VectorXd::Zero(V.rows());
     forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
-        c += V.middleCols(first, count) * y.segment(first, count);
+        c += V.middleCols(first, count) * own.segment(first, count);
     });
     c /= hyper.noiseSd;
     Eigen::ArrayXd fit(V.cols()), hat(V.cols());
@@ -160,8 +170,9 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
         fit.segment(first, count) = hyper.noiseSd * (some.transpose() * c).array();
         hat.segment(first, count) = some.colwise().squaredNorm().transpose().array();
     });
-    process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kMinFreedom);
-    leaveOutPlaces(process.leaveOneOut, V, (y.array() - fit).matrix(), places, poll);
+    process.leaveOneOut = (own.array() - fit) / (1.0 - hat).max(kMinFreedom);
+    leaveOutPlaces(process.leaveOneOut, V, (own.array() - fit).matrix(), places, poll);
+    if (isScaled()) process.leaveOneOut.array() /= scale;
     process.weights = inner.triangularView<Eigen::Lower>().transpose().solve(c);
     outer.triangularView<Eigen::Lower>().transpose().solveInPlace(process.weights);
     return process;

@@ -40,9 +40,11 @@ inline constexpr double kMinFreedom = 1e-9;
 /// Cost: n m² multiplications; memory: 2 n m doubles.
 /// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0 or a row does
 /// not exist. It also throws if rcond would be below kMinRcond (gaussian_process.h). poll: called
-/// every few milliseconds; what it throws is rethrown.
+/// every few milliseconds; what it throws is rethrown. rowVariance: variance s² of each output besides σ_n²; without
+/// rows: 0. Each row then counts as with a noise of √(σ_n² + s²) in place of σ_n.
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
-                                const Poll& poll = {}, const std::vector<int>& places = {});
+                                const Poll& poll = {}, const std::vector<int>& places = {},
+                                const Eigen::VectorXd& rowVariance = {});
 
 }  // namespace terratact

@@ -203,12 +203,14 @@ struct Explained {
 };
 
 /// Computes Explained. V: divided by √Λ on return.
-Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll& poll)
+Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll& poll,
+                  const Eigen::VectorXd& rowVariance = {})
 {
     const Eigen::Index n = V.rows();
     Eigen::ArrayXd lambda = Eigen::ArrayXd::Constant(n, signal2);
     forColumns(V.cols(), n, poll, [&](Eigen::Index k) { lambda -= V.col(k).array().square(); });
     Explained explained{lambda.max(0.0) + noise2, {}, 0.0};
+    if (rowVariance.size() > 0) explained.lambda += rowVariance.array();
     const Eigen::ArrayXd scale = explained.lambda.rsqrt();
     forColumns(V.cols(), n, poll, [&](Eigen::Index k) { V.col(k).array() *= scale; });
     explained.R = onePlusInnerGram(V, poll);
@@ -279,9 +281,11 @@ std::optional<Eigen::MatrixXd> explainedFactor(Explained explained, const Eigen:
 }  // namespace
 
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
-                            const Hyperparameters& hyper, const Poll& poll)
+                            const Hyperparameters& hyper, const Poll& poll,
+                            const Eigen::VectorXd& rowVariance)
 {
     requireTrainable(X, y, hyper);
+    requireRowVariance(rowVariance, y.size());
     if (count < 1) throw std::invalid_argument("sparse Gaussian process: no inducing rows");
     const double signal2 = hyper.signalSd * hyper.signalSd;
     const double noise = hyper.noiseSd * hyper.noiseSd;
@@ -293,7 +297,7 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     Inducing inducing = chooseAmong(
         scaled, evenlySpread(X.rows(), kCandidatesPerRow * static_cast<Eigen::Index>(count)), count,
         signal2, poll);
-    Explained explained = explain(inducing.V, signal2, noise2, poll);
+    Explained explained = explain(inducing.V, signal2, noise2, poll, rowVariance);
     SparseProcess sparse{inducing.rows,
                          inducing.V.transpose() * (y.array() * explained.lambda.rsqrt()).matrix(),
                          {},

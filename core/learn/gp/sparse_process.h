@@ -32,11 +32,12 @@ struct SparseProcess {
 /// among at most 4 · count evenly spread rows. It takes fewer if these explain every row, or if the
 /// next ones would make K_mm singular.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
-/// poll: as in cholesky.h; what it throws is rethrown.
+/// poll: as in cholesky.h; what it throws is rethrown. rowVariance: as in GaussianProcess; it is part of Λ.
 /// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and
 /// if rcond would be below kMinRcond (gaussian_process.h).
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
-                            const Hyperparameters& hyper, const Poll& poll = {});
+                            const Hyperparameters& hyper, const Poll& poll = {},
+                            const Eigen::VectorXd& rowVariance = {});
 
 /// Rows that explain all others so well that variances need no more rows. |F k_m|², with F as in
 /// SparseProcess, then replaces kᵀ (k(X, X) + σ_n² 1)⁻¹ k.

@@ -1,5 +1,6 @@
 #include "core/learn/model/bin_models.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace terratact {
@@ -30,7 +31,9 @@ Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin)
 BinModels::BinModels(const ModelData& model, FeatureSet set)
     : data_(set == FeatureSet::Pa ? model.pa : model.paf),
       standardised_(standardised(rawInputs(model, set), data_.mean, data_.sd)),
-      heights_(model.scannedHeights), inducing_(model.inducing)
+      heights_(model.scannedHeights),
+      truthSd_(model.heightSd.topRows(std::min(heights_.rows(), model.heightSd.rows()))),
+      inducing_(model.inducing)
 {
 }
 
@@ -48,9 +51,12 @@ const GaussianProcess& BinModels::bin(int i, int inducing, const Poll& poll) con
         rows,
         [&] {
             const double mean = data_.mean[i];
-            auto gp = GaussianProcess::sparse(withoutBin(standardised_, i),
-                                              heights_.col(i).array() - mean, rows,
-                                              data_.bins[static_cast<std::size_t>(i)], mean, poll);
+            const Eigen::VectorXd variance = truthSd_.rows() > 0
+                                               ? Eigen::VectorXd(truthSd_.col(i).array().square())
+                                               : Eigen::VectorXd();
+            auto gp = GaussianProcess::sparse(
+                withoutBin(standardised_, i), heights_.col(i).array() - mean, rows,
+                data_.bins[static_cast<std::size_t>(i)], mean, poll, variance);
             factorised_ |= 1UL << static_cast<unsigned>(i);
             return gp;
         },

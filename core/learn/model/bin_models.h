@@ -51,6 +51,7 @@ private:
     BinModelData data_;
     Eigen::MatrixXd standardised_;  ///< V × (11 + f)
     Eigen::MatrixXd heights_;       ///< V × 11 [m]
+    Eigen::MatrixXd truthSd_;       ///< V × 11 [m] sd of these heights; without rows: exact
     int inducing_;                  ///< rows as trained; 0: all
     mutable std::array<LazyProcesses, kBins> lazy_;
     mutable std::atomic<unsigned long> factorised_{0};

@@ -27,6 +27,13 @@ inline double fromLogClearance(double y, double ceiling)
     return ceiling - std::max(std::exp(y) - kClearanceOffset, 0.0);
 }
 
+/// Returns the sd of a log clearance whose height has the sd s [m]: half of its change from height − s to height + s.
+inline double logClearanceSd(double height, double s, double ceiling)
+{
+    return 0.5
+         * std::abs(toLogClearance(height + s, ceiling) - toLogClearance(height - s, ceiling));
+}
+
 /// a of the surface coordinate [m]: it is linear below a and logarithmic above.
 inline constexpr double kSurfaceScale = 0.01;
 
@@ -44,6 +51,13 @@ inline double toSurface(double height, double ceiling)
 {
     if (std::isinf(ceiling)) return height;
     return std::asinh(std::max(ceiling - height, -kDeepestSinking) / kSurfaceScale);
+}
+
+/// Returns the sd of a surface coordinate whose height has the sd s [m]: half of its change from height − s to
+/// height + s.
+inline double surfaceSd(double height, double s, double ceiling)
+{
+    return 0.5 * std::abs(toSurface(height + s, ceiling) - toSurface(height - s, ceiling));
 }
 
 /// Returns the height [m] of a surface coordinate; at most kDeepestSinking above the ceiling.

@@ -44,7 +44,8 @@ void requireShapes(const ClearanceTraining& t)
     const Eigen::Index U = t.heights.rows();
     if (U < kMinTrainingRows || t.heights.cols() != kBins || t.ceilings.rows() != U
         || t.ceilings.cols() != kBins || t.features.rows() != U
-        || t.features.cols() != kFeatureCount)
+        || t.features.cols() != kFeatureCount
+        || (t.heightSd.rows() != 0 && (t.heightSd.rows() != U || t.heightSd.cols() != kBins)))
         throw std::invalid_argument(
             fmt::format("conditionals over clearances need at least {} rows with 11 heights, 11 "
                         "ceilings and {} features each",
@@ -150,6 +151,7 @@ Eigen::VectorXd inputOf(const ClearanceConditionalData& data, int i, const Heigh
 struct Rows {
     Eigen::MatrixXd X;
     Eigen::VectorXd y;
+    Eigen::VectorXd variance;  ///< of y, by the heights' sd; empty: heights are exact
 };
 
 Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, int bin,
@@ -158,7 +160,8 @@ Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, i
     std::vector<Eigen::Index> rows = rowsIn(t, bin, regime);
     rows.resize(std::min(rows.size(), static_cast<std::size_t>(kMaxClearanceRows)));
     const auto n = static_cast<Eigen::Index>(rows.size());
-    Rows result{Eigen::MatrixXd(n, kBins - 1 + kFeatureCount), Eigen::VectorXd(n)};
+    Rows result{Eigen::MatrixXd(n, kBins - 1 + kFeatureCount), Eigen::VectorXd(n),
+                Eigen::VectorXd(t.heightSd.rows() > 0 ? n : 0)};
     for (Eigen::Index k = 0; k < n; ++k) {
         const Eigen::Index u = rows[static_cast<std::size_t>(k)];
         const Heights ceiling = row(t.ceilings, u);
@@ -167,6 +170,9 @@ Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, i
         result.X.row(k) =
             inputOf(data, bin, states, ceiling, t.features.row(u).transpose()).transpose();
         result.y[k] = states[static_cast<std::size_t>(bin)] - data.at(bin, regime).mean;
+        if (result.variance.size() > 0)
+            result.variance[k] = std::pow(
+                logClearanceSd(t.heights(u, bin), t.heightSd(u, bin), t.ceilings(u, bin)), 2);
     }
     return result;
 }
@@ -188,7 +194,10 @@ void requireBin(int bin)
 ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot)
 {
     const Eigen::Index rows = std::min<Eigen::Index>(kClearanceScenes, model.heights.rows());
-    ClearanceTraining training{model.heights.topRows(rows), {}, model.features.topRows(rows)};
+    ClearanceTraining training{model.heights.topRows(rows),
+                               {},
+                               model.features.topRows(rows),
+                               model.heightSd.topRows(std::min(rows, model.heightSd.rows()))};
     training.ceilings = bodyCeilings(training.features, robot);
     return training;
 }
@@ -236,7 +245,7 @@ TrainedBin trainClearanceConditional(const ClearanceTraining& training,
     TrainingOptions own = options;
     own.seed += 2 * static_cast<std::uint64_t>(bin) + static_cast<std::uint64_t>(regime);
     return maximiseLikelihood(rows.X, rows.y, searchStart(rows.X.cols(), data.at(bin, regime).sd),
-                              own, kBounds, poll);
+                              own, kBounds, poll, rows.variance);
 }
 
 ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
@@ -280,8 +289,8 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int ind
         rows,
         [&] {
             Rows data = rowsFor(training_, data_, bin, regime);
-            auto gp =
-                GaussianProcess::sparse(std::move(data.X), data.y, rows, own.hyper, own.mean, poll);
+            auto gp = GaussianProcess::sparse(std::move(data.X), data.y, rows, own.hyper, own.mean,
+                                              poll, std::move(data.variance));
             factorised_[static_cast<std::size_t>(regime)] |= 1UL << static_cast<unsigned>(bin);
             return gp;
         },

@@ -40,6 +40,7 @@ struct ClearanceTraining {
     Eigen::MatrixXd heights;   ///< U × 11 [m]
     Eigen::MatrixXd ceilings;  ///< U × 11 [m], +infinity: no ceiling
     Eigen::MatrixXd features;  ///< U × 11, raw, in the order of featureNames(Paf)
+    Eigen::MatrixXd heightSd;  ///< U × 11 [m] sd of each height; without rows: heights are exact
 };
 
 /// Data of one bin in one regime.

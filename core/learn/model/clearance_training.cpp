@@ -100,10 +100,21 @@ Proprioception proprioceptionOf(const SurfaceData& model, Eigen::Index row)
 /// Training rows of a surface process.
 struct SurfaceRows {
     std::vector<int> rows;
-    Eigen::MatrixXd X;  ///< n × 11
-    Eigen::VectorXd y;  ///< n, centred
-    double mean = 0.0;  ///< subtracted from y
+    Eigen::MatrixXd X;           ///< n × 11
+    Eigen::VectorXd y;           ///< n, centred
+    double mean = 0.0;           ///< subtracted from y
+    Eigen::VectorXd variance{};  ///< n, of y by the heights' sd; empty: heights are exact
 };
+
+/// Returns the mean of y. A row with a variance of its own counts as much less as this exceeds the spread of all.
+double weightedMean(const Eigen::VectorXd& y, const Eigen::VectorXd& variance)
+{
+    const double mean = y.mean();
+    if (variance.size() == 0) return mean;
+    const double spread = (y.array() - mean).square().mean();
+    const Eigen::ArrayXd weight = (variance.array() + std::max(spread, 1e-12)).inverse();
+    return (weight * y.array()).sum() / weight.sum();
+}
 
 SurfaceRows surfaceRows(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                         std::vector<int> rows, AbsentFeatures without)
@@ -111,7 +122,15 @@ SurfaceRows surfaceRows(const SurfaceData& model, const Eigen::MatrixXd& ceiling
     SurfaceRows own{{}, inputs(model, rows, without), Eigen::VectorXd(std::ssize(rows))};
     for (std::size_t k = 0; k < rows.size(); ++k)
         own.y[static_cast<Eigen::Index>(k)] = surfaceOf(model, ceilings, rows[k], bin);
-    own.mean = own.y.mean();
+    if (model.heightSd.rows() > 0) {
+        own.variance.resize(own.y.size());
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            own.variance[static_cast<Eigen::Index>(k)] =
+                std::pow(surfaceSd(model.heights(rows[k], bin), model.heightSd(rows[k], bin),
+                                   ceilings(rows[k], bin)),
+                         2);
+    }
+    own.mean = weightedMean(own.y, own.variance);
     own.y.array() -= own.mean;
     own.rows = std::move(rows);
     return own;
@@ -142,6 +161,18 @@ std::vector<int> firstOfPlaces(const std::vector<int>& places, const std::vector
     return firsts;
 }
 
+/// Scales residuals to the variance v that they would have with exact heights: r √(v / (v + s²)).
+///   v = Σ w (r² − s²) / Σ w, w = (σ_n² + s²)⁻², at least σ_n².   variance: s²
+void removeVariance(Eigen::VectorXd& residuals, const Eigen::VectorXd& variance, double noiseSd)
+{
+    if (variance.size() == 0) return;
+    const double least = noiseSd * noiseSd;
+    const Eigen::ArrayXd weight = (variance.array() + least).square().inverse();
+    const Eigen::ArrayXd excess = residuals.array().square() - variance.array();
+    const double v = std::max((weight * excess).sum() / weight.sum(), least);
+    residuals.array() *= (v / (v + variance.array())).sqrt();
+}
+
 /// Returns weights and leave-one-out residuals with these hyper-parameters.
 TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
                       const std::vector<int>& places, Eigen::Index kept)
@@ -151,9 +182,10 @@ TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
     trained.process.hyper = std::move(hyper);
     ProjectedProcess projected =
         projectProcess(own.X, own.y, inducingPositions(keptAmong(own.rows, kept)),
-                       trained.process.hyper, poll, some(places, own.rows));
+                       trained.process.hyper, poll, some(places, own.rows), own.variance);
     trained.process.weights = std::move(projected.weights);
     trained.residuals = std::move(projected.leaveOneOut);
+    removeVariance(trained.residuals, own.variance, trained.process.hyper.noiseSd);
     trained.process.residualSd = rootMeanSquare(trained.residuals);
     trained.rows = std::move(own.rows);
     return trained;
@@ -177,6 +209,7 @@ OptionalHeights contactHeights(const SurfaceData& model, Eigen::Index row, const
 /// Gain of contacts: pairs of z − m and h − m.
 struct ContactErrors {
     std::vector<double> contact, height;
+    double heightVariance = 0.0;  ///< mean variance of the true heights
 };
 
 ContactErrors contactErrors(const SurfaceData& model, const Eigen::MatrixXd& ceilings,
@@ -196,8 +229,11 @@ ContactErrors contactErrors(const SurfaceData& model, const Eigen::MatrixXd& cei
             if (std::abs(*z - m) > kMax) continue;
             errors.contact.push_back(*z - m);
             errors.height.push_back(model.heights(u, bin) - m);
+            if (model.heightSd.rows() > 0)
+                errors.heightVariance += std::pow(model.heightSd(u, bin), 2);
         }
     }
+    if (!errors.height.empty()) errors.heightVariance /= static_cast<double>(errors.height.size());
     return errors;
 }
 
@@ -216,7 +252,7 @@ void calibrateContacts(SurfaceData& model, const Eigen::MatrixXd& ceilings, cons
     const Eigen::ArrayXd fromMean = z - z.mean();
     const double gain = (fromMean * h).sum() / fromMean.square().sum();
     if (!(gain > 0.0)) return;
-    const double variance = (h - h.mean()).square().mean();
+    const double variance = std::max((h - h.mean()).square().mean() - errors.heightVariance, 0.0);
     const double sd = std::sqrt(variance * std::max(1.0 - gain, 0.0) / gain);
     data.contactSd = std::clamp(sd, kMin, kMax);
     data.contactBias = std::clamp(h.mean() / gain - z.mean(), -0.1, 0.1);
@@ -278,9 +314,11 @@ TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& cei
     TrainingOptions search = options;
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
+    const Eigen::VectorXd variance =
+        own.variance.size() > 0 ? Eigen::VectorXd(own.variance(firsts)) : Eigen::VectorXd();
     Hyperparameters hyper = maximiseLikelihood(own.X(firsts, Eigen::all), own.y(firsts),
                                                searchStart(own.X.cols(), rootMeanSquare(own.y)),
-                                               search, {.mostNoise = kMaxNoise}, poll)
+                                               search, {.mostNoise = kMaxNoise}, poll, variance)
                                 .hyper;
     return fitted(std::move(own), std::move(hyper), poll, places, kept);
 }
@@ -289,6 +327,7 @@ void keepRows(SurfaceData& model, Eigen::Index rows)
 {
     if (rows >= model.heights.rows()) return;
     model.heights.conservativeResize(rows, Eigen::NoChange);
+    if (model.heightSd.rows() > 0) model.heightSd.conservativeResize(rows, Eigen::NoChange);
     model.features.conservativeResize(rows, Eigen::NoChange);
     model.clearance.residuals.conservativeResize(rows, Eigen::NoChange);
     model.clearance.coveredBins.resize(static_cast<std::size_t>(rows));

@@ -34,7 +34,9 @@ struct TrainedSurface {
 /// of the bin's height (open), or of every covered bin's y (covered). places: place of each
 /// training row (placesOf); empty: one row each. Hyper-parameters come from the first row of each
 /// place, and a residual leaves out every row of its place. kept: the inducing rows are among the
-/// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows.
+/// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows. The
+/// heights' sd is noise of its row, and the residuals are scaled to the variance that they would have
+/// with exact heights.
 TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options, const Poll& poll = {},
                             const std::vector<int>& places = {}, Eigen::Index kept = 0);
@@ -58,8 +60,8 @@ void store(SurfaceData& model, const TrainedSurface& trained, int bin, bool cove
 /// leave-one-out prediction m. Over the training scenes with an isolated contact, least squares
 /// fits
 ///   h − m = a + b (z − m),   |z − m| ≤ 0.1 m.
-/// A measurement of z + a / b with variance Var(h − m) (1 − b) / b has exactly that gain b. sd is
-/// kept within 5 mm … 10 m. It is 10 m, without weight, if contacts add nothing (b ≤ 0).
+/// A measurement of z + a / b with variance Var(h − m) (1 − b) / b has exactly that gain b. Var(h − m)
+/// is without the mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m, without weight, if contacts add nothing (b ≤ 0).
 void finishClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                      const Poll& poll = {}, AbsentFeatures without = {});
 

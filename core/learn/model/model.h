@@ -54,6 +54,7 @@ struct ClearanceData {
 struct SurfaceData {
     Eigen::MatrixXd heights;   ///< U × 11 [m]
     Eigen::MatrixXd features;  ///< U × f, raw
+    Eigen::MatrixXd heightSd;  ///< U × 11 [m] sd of each height; without rows: heights are exact
     ClearanceData clearance;
     /// Number of the last rows that measure a place of an earlier row again (scene_copies.h). 0:
     /// every row counts as a place of its own, as in models from before this number existed.

@@ -151,6 +151,20 @@ void requireSideRow(const SurfaceData& sides, Eigen::Index row)
             TR_NOOP("core", "the two sides of a scene have other readings"));
 }
 
+void requireHeightSd(const SurfaceData& data)
+{
+    if (data.heightSd.rows() == 0) return;
+    require(data.heightSd.rows() == data.heights.rows() && data.heightSd.cols() == kBins,
+            TR_NOOP("core", "the sd of its heights do not fit its training rows"));
+    for (Eigen::Index i = 0; i < kBins; ++i)
+        for (const double sd : data.heightSd.col(i)) {
+            const Column& column = heightSdColumns()[static_cast<std::size_t>(i)];
+            require(column.holds(sd), [&] {
+                return Message(TR_NOOP("core", "sd of a height: %1"), column.refusal(sd));
+            });
+        }
+}
+
 void requireSides(const SurfaceData& sides)
 {
     const Eigen::Index rows = sides.heights.rows();
@@ -159,6 +173,7 @@ void requireSides(const SurfaceData& sides)
                 && sides.heights.cols() == kBins && sides.repeats == 0,
             TR_NOOP("core", "its rows of two tracks have the wrong size"));
     for (Eigen::Index row = 0; row < rows; ++row) requireSideRow(sides, row);
+    requireHeightSd(sides);
     requireClearance(sides, kAllBins);
     requireWholeClearance(sides.clearance);
     require((sides.clearance.residuals.array()
@@ -251,6 +266,7 @@ void requireModel(const ModelData& model, const Portion* portion)
     requireSet(model.pa, FeatureSet::Pa, bins);
     requireSet(model.paf, FeatureSet::Paf, bins);
     requireScannedHeights(model);
+    requireHeightSd(model);
     requireClearance(model, bins);
     if (portion) {
         requirePortion(*portion);

@@ -100,6 +100,10 @@ std::string hashOf(const ModelData& model, const Portion* portion)
         canonical.add(std::string_view("repeated rows"));
         canonical.add(static_cast<std::uint64_t>(model.repeats));
     }
+    if (model.heightSd.rows() > 0) {
+        canonical.add(std::string_view("sd of heights"));
+        canonical.add(model.heightSd);
+    }
     if (model.hasSides()) {
         canonical.add(std::string_view("two tracks"));
         canonical.add(model.sides.features);
@@ -107,6 +111,7 @@ std::string hashOf(const ModelData& model, const Portion* portion)
         canonical.add(model.sides.clearance);
         canonical.add(model.sidesHash);
         canonical.add(model.sidesCommand);
+        if (model.sides.heightSd.rows() > 0) canonical.add(model.sides.heightSd);
     }
     return sha256Hex(canonical.bytes());
 }

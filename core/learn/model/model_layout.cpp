@@ -29,9 +29,25 @@ SqliteTable rowTable(const std::string& name, std::size_t columns, const std::st
     return {name, sql + ") STRICT"};
 }
 
+/// Returns a table of numbered rows with the sd of eleven heights.
+SqliteTable sdTable(const std::string& name)
+{
+    std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY";
+    for (const Column& column : heightSdColumns())
+        sql += ", \"" + std::string(column.name) + "\" REAL NOT NULL";
+    return {name, sql + ") STRICT"};
+}
+
 }  // namespace
 
-std::vector<SqliteTable> schema(bool sides)
+ModelContent contentOf(const ModelData& model)
+{
+    return {.sides = model.hasSides(),
+            .heightSd = model.heightSd.rows() > 0,
+            .sideSd = model.hasSides() && model.sides.heightSd.rows() > 0};
+}
+
+std::vector<SqliteTable> schema(const ModelContent& content)
 {
     const std::string ofSurface = "bin INTEGER NOT NULL, covered INTEGER NOT NULL, ";
     std::vector<SqliteTable> tables{
@@ -63,13 +79,15 @@ std::vector<SqliteTable> schema(bool sides)
         tables.insert(tables.end(), more.begin(), more.end());
     };
     add(surfaceTables(""));
-    if (sides) add(sideTables());
+    if (content.sides) add(sideTables());
+    if (content.heightSd) tables.push_back(sdTable(kSdTable));
+    if (content.sideSd) tables.push_back(sdTable(kSideSdTable));
     std::sort(tables.begin(), tables.end(),
               [](const SqliteTable& a, const SqliteTable& b) { return a.name < b.name; });
     return tables;
 }
 
-std::map<std::string, std::string> explanations(bool sides)
+std::map<std::string, std::string> explanations(const ModelContent& content)
 {
     std::map<std::string, std::string> texts{
         {"format", "Terratact model: per feature set eleven Gaussian processes, one per bin"},
@@ -89,7 +107,11 @@ std::map<std::string, std::string> explanations(bool sides)
          "of a bin under the robot: y = log(max(ceiling - height, 0) + 0.003 m), else y = height; "
          "given the other bins' y and s, on the first 2000 training rows"},
     };
-    if (sides) texts["sides"] = kSidesExplanation;
+    if (content.sides) texts["sides"] = kSidesExplanation;
+    if (content.heightSd || content.sideSd)
+        texts["height_sd"] = "sd of each height of the same training_row (side_: rows 2k and 2k + "
+                             "1 are left and right "
+                             "of side_row k): its square is added to the noise of that row";
     return texts;
 }
 

@@ -30,11 +30,23 @@ const Column& inputColumn(std::size_t position);
 /// Returns the number of inputs of a set, with the heights.
 std::size_t inputs(FeatureSet set);
 
-/// Returns every table of a model, sorted by name. sides: of two tracks.
-std::vector<SqliteTable> schema(bool sides);
+/// Table of the heights' sd, which a model of exact heights does not have; of two tracks with the prefix side_.
+inline constexpr const char* kSdTable = "height_sd_row";
+inline constexpr const char* kSideSdTable = "side_height_sd_row";
+
+/// Optional content of a model.
+struct ModelContent {
+    bool sides = false;     ///< of two tracks
+    bool heightSd = false;  ///< the heights of training rows have an sd
+    bool sideSd = false;    ///< those of sides have one
+};
+ModelContent contentOf(const ModelData& model);
+
+/// Returns every table of a model, sorted by name.
+std::vector<SqliteTable> schema(const ModelContent& content);
 
 /// Returns the rows of the table meta that every file has: explanations for people who open it with
 /// other tools.
-std::map<std::string, std::string> explanations(bool sides);
+std::map<std::string, std::string> explanations(const ModelContent& content);
 
 }  // namespace terratact::model_file

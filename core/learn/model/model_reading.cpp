@@ -39,10 +39,21 @@ bool checkVersion(SqliteFile& file)
     return version == kSidesVersion;
 }
 
-void checkSchema(SqliteFile& file, bool sides)
+bool hasTable(SqliteFile& file, const std::string& name)
 {
-    require(hasOnlyTables(file, schema(sides)),
+    return file.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = '"
+                        + name + "'")
+         > 0;
+}
+
+ModelContent readSchema(SqliteFile& file, bool sides)
+{
+    const ModelContent content{.sides = sides,
+                               .heightSd = hasTable(file, kSdTable),
+                               .sideSd = sides && hasTable(file, kSideSdTable)};
+    require(hasOnlyTables(file, schema(content)),
             TR_NOOP("core", "its tables are not those of a Terratact model"));
+    return content;
 }
 
 std::uint64_t seedFrom(const std::string& text)
@@ -82,7 +93,8 @@ BinSet binsFrom(const std::string& list)
 }
 
 /// Reads meta into the model and, for a part, its portion. Returns the content's hash as stored.
-std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion, bool sides)
+std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion,
+                     const ModelContent& content)
 {
     std::map<std::string, std::string> meta;
     SqliteStatement row = file.prepare("SELECT key, value FROM meta");
@@ -103,7 +115,7 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion, bool 
         model.inducing = inducingFrom(consume("inducing_rows"));
     if (meta.contains("repeated_rows"))  // only a model with repeats has this key
         model.repeats = repeatsFrom(consume("repeated_rows"));
-    if (sides) {
+    if (content.sides) {
         model.sidesHash = consume("sides_data_sha256");
         model.sidesCommand = consume("sides_command");
     }
@@ -113,7 +125,7 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion, bool 
         portion->commandBeforeOut = consume("command_before_out");
         portion->commandAfterOut = consume("command_after_out");
     }
-    require(meta == explanations(sides),
+    require(meta == explanations(content),
             TR_NOOP("core", "its table meta describes another kind of model"));
     return hash;
 }
@@ -196,12 +208,13 @@ void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
 }
 
 /// Returns all rows of a table whose first column numbers them from 0: the `columns` behind it.
-Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns)
+Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns,
+                           Eigen::Index most = kMaxRows)
 {
     const std::int64_t rows = file.integer("SELECT count(*) FROM " + table);
-    require(rows >= 1 && rows <= kMaxRows, [&] {
+    require(rows >= 1 && rows <= most, [&] {
         return Message(TR_NOOP("core", "has %1 rows in its table %2, expected 1 to %3"), rows,
-                       table, kMaxRows);
+                       table, most);
     });
     Eigen::MatrixXd values(rows, columns);
     SqliteStatement found = file.prepare("SELECT * FROM " + table + " ORDER BY row");
@@ -274,8 +287,8 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
 {
     const bool sides = checkVersion(file);
     require(!sides || !portion, TR_NOOP("core", "is a part of a model of two tracks"));
-    checkSchema(file, sides);
-    const std::string stored = readMeta(file, model, portion, sides);
+    const ModelContent content = readSchema(file, sides);
+    const std::string stored = readMeta(file, model, portion, content);
     const BinSet bins = portion ? portion->bins : kAllBins;
     for (const FeatureSet set : kSets) {
         BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
@@ -288,6 +301,9 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
     readRows(file, model);
     readClearance(file, model.clearance, bins);
     if (sides) model.sides = readSides(file);
+    if (content.heightSd) model.heightSd = readMatrix(file, kSdTable, kBins);
+    if (content.sideSd)
+        model.sides.heightSd = readMatrix(file, kSideSdTable, kBins, 2 * kKeptScenes);
     requireModel(model, portion);
     std::string hash = hashOf(model, portion);
     require(hash == stored,

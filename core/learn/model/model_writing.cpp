@@ -13,17 +13,18 @@
 namespace terratact::model_file {
 namespace {
 
-void createTables(SqliteFile& file, std::int64_t applicationId, bool sides)
+void createTables(SqliteFile& file, std::int64_t applicationId, const ModelContent& content)
 {
     file.run("PRAGMA page_size = 4096");
     file.run("PRAGMA application_id = " + std::to_string(applicationId));
-    file.run("PRAGMA user_version = " + std::to_string(sides ? kSidesVersion : kUserVersion));
-    for (const SqliteTable& table : schema(sides)) file.run(table.sql);
+    file.run("PRAGMA user_version = "
+             + std::to_string(content.sides ? kSidesVersion : kUserVersion));
+    for (const SqliteTable& table : schema(content)) file.run(table.sql);
 }
 
 void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)
 {
-    std::map<std::string, std::string> meta = explanations(model.hasSides());
+    std::map<std::string, std::string> meta = explanations(contentOf(model));
     meta["command"] = model.command;
     meta["content_sha256"] = hashOf(model, portion);
     meta["data_sha256"] = model.dataHash;
@@ -113,6 +114,8 @@ void writeRows(SqliteFile& file, const ModelData& model)
     rows << model.heights, model.features;
     writeMatrix(file, "training_row", rows);
     writeMatrix(file, "scanned_row", model.scannedHeights);
+    if (contentOf(model).heightSd) writeMatrix(file, kSdTable, model.heightSd);
+    if (contentOf(model).sideSd) writeMatrix(file, kSideSdTable, model.sides.heightSd);
 }
 
 }  // namespace
@@ -121,7 +124,7 @@ void fill(const std::string& path, const ModelData& model, const Portion* portio
 {
     const BinSet bins = portion ? portion->bins : kAllBins;
     SqliteFile file = SqliteFile::fill(path);
-    createTables(file, portion ? kPartApplicationId : kApplicationId, model.hasSides());
+    createTables(file, portion ? kPartApplicationId : kApplicationId, contentOf(model));
     file.run("BEGIN");
     writeMeta(file, model, portion);
     for (const BinModelData* data : {&model.pa, &model.paf}) writeSet(file, *data, bins);

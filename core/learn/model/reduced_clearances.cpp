@@ -53,6 +53,7 @@ SurfaceData thinned(const SurfaceData& model)
     const std::vector<int> rows = chosenRows(model);
     SurfaceData some;
     some.heights = model.heights(rows, Eigen::all);
+    if (model.heightSd.rows() > 0) some.heightSd = model.heightSd(rows, Eigen::all);
     some.features = model.features(rows, Eigen::all);
     some.clearance.featureMean = all.featureMean;
     some.clearance.featureSd = all.featureSd;

@@ -32,6 +32,9 @@ void writeRow(SurfaceData& rows, Eigen::Index row, const TwoTrackScene& scene, S
     const OptionalHeights& truth = scene.truth[side == Side::Left ? 0 : 1];
     for (Eigen::Index i = 0; i < kBins; ++i)
         rows.heights(row, i) = inSteps(*truth[static_cast<std::size_t>(i)], kHeightStep);
+    const OptionalHeights& sd = scene.truthSd[side == Side::Left ? 0 : 1];
+    for (Eigen::Index i = 0; i < kBins; ++i)
+        rows.heightSd(row, i) = inSteps(sd[static_cast<std::size_t>(i)].value_or(0.0), kHeightStep);
 }
 
 }  // namespace
@@ -61,11 +64,13 @@ SideTrainingSet prepareSides(const std::vector<TwoTrackScene>& scenes)
     const Eigen::Index rows = 2 * std::ssize(complete);
     set.rows.features.resize(rows, Eigen::Index{kSideFeatures});
     set.rows.heights.resize(rows, kBins);
+    set.rows.heightSd.resize(rows, kBins);
     for (Eigen::Index k = 0; k < std::ssize(complete); ++k) {
         const TwoTrackScene& scene = *complete[static_cast<std::size_t>(k)];
         writeRow(set.rows, 2 * k, scene, Side::Left);
         writeRow(set.rows, 2 * k + 1, scene, Side::Right);
     }
+    if ((set.rows.heightSd.array() == 0.0).all()) set.rows.heightSd.resize(0, 0);
     return set;
 }
 

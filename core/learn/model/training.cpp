@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "core/learn/data/scene_copies.h"
+#include "core/learn/gp/gaussian_process.h"
 #include "core/learn/gp/likelihood.h"
 #include "core/learn/model/bin_models.h"
 
@@ -47,6 +48,7 @@ Hyperparameters fromLog(const Eigen::VectorXd& theta)
 struct Search {
     const Eigen::MatrixXd& X;
     const Eigen::VectorXd& y;
+    const Eigen::VectorXd& rowVariance;
     const Poll& poll;
     nlopt_opt optimiser;
     double best = std::numeric_limits<double>::infinity();
@@ -75,7 +77,8 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
         }
     };
     try {
-        const Likelihood value = negativeLogLikelihood(search.X, search.y, fromLog(theta), poll);
+        const Likelihood value =
+            negativeLogLikelihood(search.X, search.y, fromLog(theta), poll, search.rowVariance);
         if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = value.gradient;
         if (value.negativeLog < search.best) {
             search.best = value.negativeLog;
@@ -92,13 +95,15 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
 
 /// Returns the best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-                         const Eigen::VectorXd& start, int evaluations, const SearchBounds& bounds,
-                         const Poll& poll, double& best)
+                         const Eigen::VectorXd& rowVariance, const Eigen::VectorXd& start,
+                         int evaluations, const SearchBounds& bounds, const Poll& poll,
+                         double& best)
 {
     const auto n = static_cast<unsigned>(start.size());
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
         nlopt_create(NLOPT_LD_LBFGS, n), &nlopt_destroy);
-    Search search{X, y, poll, optimiser.get(), std::numeric_limits<double>::infinity(), start};
+    Search search{
+        X, y, rowVariance, poll, optimiser.get(), std::numeric_limits<double>::infinity(), start};
     Eigen::VectorXd low = Eigen::VectorXd::Constant(start.size(), std::log(0.05));
     Eigen::VectorXd high = Eigen::VectorXd::Constant(start.size(), std::log(1000.0));
     low.tail(2) << std::log(bounds.leastSignal), std::log(bounds.leastNoise);
@@ -125,6 +130,19 @@ std::vector<int> drawRows(int total, int wanted, std::uint64_t seed)
     rows.resize(static_cast<std::size_t>(std::min(total, wanted)));
     std::sort(rows.begin(), rows.end());
     return rows;
+}
+
+/// Returns the sd of the heights of these scenes, 0 where a height is exact; no rows if all are.
+Eigen::MatrixXd heightSdOf(const std::vector<const Scene*>& scenes)
+{
+    Eigen::MatrixXd sd = Eigen::MatrixXd::Zero(std::ssize(scenes), kBins);
+    for (Eigen::Index u = 0; u < sd.rows(); ++u)
+        for (Eigen::Index i = 0; i < kBins; ++i)
+            sd(u, i) =
+                scenes[static_cast<std::size_t>(u)]->truthSd[static_cast<std::size_t>(i)].value_or(
+                    0.0);
+    if ((sd.array() == 0.0).all()) sd.resize(0, 0);
+    return sd;
 }
 
 /// places: number of rows that start a place; they come first.
@@ -179,10 +197,17 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
             model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
         model.features.row(u) = features(FeatureSet::Paf, scene.s).transpose();
     }
+    model.heightSd = heightSdOf(rows);
     setConditionalRows(model, places, options);
     setStandardisation(model, model.pa, FeatureSet::Pa);
     setStandardisation(model, model.paf, FeatureSet::Paf);
     return set;
+}
+
+Eigen::VectorXd heightVariance(const SurfaceData& data, int bin, Eigen::Index rows)
+{
+    if (data.heightSd.rows() == 0) return {};
+    return data.heightSd.col(bin).head(rows).array().square();
 }
 
 Eigen::VectorXd searchStart(Eigen::Index d, double outputSd)
@@ -195,21 +220,26 @@ Eigen::VectorXd searchStart(Eigen::Index d, double outputSd)
 
 TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                               const Eigen::VectorXd& start, const TrainingOptions& options,
-                              const SearchBounds& bounds, const Poll& poll)
+                              const SearchBounds& bounds, const Poll& poll,
+                              const Eigen::VectorXd& rowVariance)
 {
+    requireRowVariance(rowVariance, y.size());
+    const auto varianceOf = [&rowVariance](const std::vector<int>& rows) {
+        return rowVariance.size() > 0 ? Eigen::VectorXd(rowVariance(rows)) : Eigen::VectorXd();
+    };
     Eigen::VectorXd theta = start;
     double best = 0.0;
     const auto total = static_cast<int>(X.rows());
     const std::vector<int> rows = drawRows(total, options.subset, options.seed);
     const bool thinned = static_cast<Eigen::Index>(rows.size()) < X.rows();
     if (thinned || options.fullEvaluations == 0)
-        theta = minimise(X(rows, Eigen::all), y(rows), theta, options.subsetEvaluations, bounds,
-                         poll, best);
+        theta = minimise(X(rows, Eigen::all), y(rows), varianceOf(rows), theta,
+                         options.subsetEvaluations, bounds, poll, best);
     if (options.fullEvaluations > 0) {
         const std::vector<int> full =
             drawRows(total, options.fullRows > 0 ? options.fullRows : total, options.seed);
-        theta = minimise(X(full, Eigen::all), y(full), theta, options.fullEvaluations, bounds, poll,
-                         best);
+        theta = minimise(X(full, Eigen::all), y(full), varianceOf(full), theta,
+                         options.fullEvaluations, bounds, poll, best);
     }
     return {fromLog(theta), -best};
 }
@@ -223,7 +253,8 @@ TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const Train
     const Eigen::VectorXd y = model.scannedHeights.col(bin).array() - data.mean[bin];
     TrainingOptions ofBin = options;
     ofBin.seed += static_cast<std::uint64_t>(bin);
-    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, poll);
+    return maximiseLikelihood(X, y, searchStart(X.cols(), data.sd[bin]), ofBin, {}, poll,
+                              heightVariance(model, bin, y.size()));
 }
 
 }  // namespace terratact

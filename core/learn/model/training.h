@@ -29,7 +29,7 @@ struct RowOptions {
 /// still unset. Scenes that lack a height or a feature are left out, and then exact copies
 /// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, then the
 /// near copies. The conditionals learn from the former only. Throws std::invalid_argument if fewer
-/// than 30 places are left, or if an input never varies.
+/// than 30 places are left, or if an input never varies. heightSd has rows if a scene states the sd of a height.
 struct TrainingSet {
     ModelData model;
     int used = 0;
@@ -64,6 +64,9 @@ struct SearchBounds {
     double leastNoise = 5e-4, mostNoise = 0.5;     ///< σ_n
 };
 
+/// Returns the heights' variances of a bin in the first rows; empty if heights are exact.
+Eigen::VectorXd heightVariance(const SurfaceData& data, int bin, Eigen::Index rows);
+
 /// Returns the start of a search: θ = log ℓ_1 … log ℓ_d = ½ log d, log σ_f = log outputSd, log σ_n
 /// = log 0.2 outputSd.
 Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
@@ -73,12 +76,13 @@ Eigen::VectorXd searchStart(Eigen::Index d, double outputSd);
 /// rows, or options.fullRows.
 ///   X: U × d, standardised; y: U, centred; start: d + 2, moved into the bounds.
 /// poll: called every few milliseconds; what it throws is rethrown. The same data and seed give the
-/// same result on one machine.
+/// same result on one machine. rowVariance: variance of each output besides σ_n² (GaussianProcess).
 TrainedBin maximiseLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                               const Eigen::VectorXd& start, const TrainingOptions& options,
-                              const SearchBounds& bounds = {}, const Poll& poll = {});
+                              const SearchBounds& bounds = {}, const Poll& poll = {},
+                              const Eigen::VectorXd& rowVariance = {});
 
-/// Trains p(hᵢ | h_{J∖i}, s) in the same way: outputs in metres, default bounds.
+/// Trains p(hᵢ | h_{J∖i}, s) in the same way: outputs in metres, default bounds, the heights' sd as noise per row.
 TrainedBin trainBin(const ModelData& model, FeatureSet set, int bin, const TrainingOptions& options,
                     const Poll& poll = {});
 

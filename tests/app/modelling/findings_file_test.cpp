@@ -56,7 +56,7 @@ TEST_F(FindingsFile, isDistinguishedFromOtherFiles)
     EXPECT_FALSE(isFindingsFile(dir.file("none.tte")));
     EXPECT_FALSE(isFindingsFile(dir.write("short.tte", "SQLite format 3")));
     EXPECT_TRUE(refusesAfter("PRAGMA application_id = 7", {"another application"}));
-    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 9", {"version 9", "reads version 2"}));
+    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 9", {"version 9", "reads version 3"}));
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
 }
 

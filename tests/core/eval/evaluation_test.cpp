@@ -171,5 +171,20 @@ TEST_F(FrontFlipper, coversBinsBehindItsPivotWhenItIsFoldedBack)
     EXPECT_EQ(binsAt(0.0, 2.605), (std::vector<int>{3, 4, 5}));  // 0 lies under the tip's circle
 }
 
+TEST(TruthShare, isTheTruthsPartOfTheSquaredError)
+{
+    std::vector<BinError> errors(4);
+    for (BinError& e : errors) e.error = 0.02;
+    EXPECT_EQ(truthShare(errors).measured, 0U);
+    EXPECT_EQ(truthShare(errors).share, 0.0);
+    errors[0].truthSd = errors[1].truthSd = 0.01;
+    const TruthShare share = truthShare(errors);
+    EXPECT_EQ(share.n, 4U);
+    EXPECT_EQ(share.measured, 2U);
+    EXPECT_NEAR(share.sd, 0.01 / std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(share.share, 0.125, 1e-12);
+    EXPECT_EQ(truthShare({}).n, 0U);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -156,6 +157,43 @@ TEST(ForecastScores, pitIsUniformOnlyForCalibratedForecasts)
     const Campaign biased(1.0);
     EXPECT_GT(biased.distance(), 8.0);
     EXPECT_LT(biased.share80, 0.70);
+}
+
+TEST(ForecastScores, coverCountsTheSdOfTheTruth)
+{
+    constexpr int kTruths = 2000;
+    constexpr double kTruthSd = 0.15;
+    std::mt19937_64 rng(8);
+    std::normal_distribution<double> normal;
+    std::array<double, 3> told{}, untold{};
+    std::vector<double> pit;
+    double fixed = 0.0;
+    for (int k = 0; k < kTruths; ++k) {
+        std::vector<double> draws(200);
+        for (double& h : draws) h = 0.1 * normal(rng);
+        const TerrainEstimate e = estimateOf(draws, 0.0, 0.1, -0.12816, 0.12816);
+        const double truth = 0.1 * normal(rng) + kTruthSd * normal(rng);
+        const auto add = [](std::array<double, 3>& share, const ForecastScores& s) {
+            share[0] += s.in50 ? 1.0 / kTruths : 0.0;
+            share[1] += s.in80 ? 1.0 / kTruths : 0.0;
+            share[2] += s.in95 ? 1.0 / kTruths : 0.0;
+        };
+        const ForecastScores scores = forecastScores(e, 4, truth, kTruthSd);
+        pit.push_back(scores.pit);
+        add(told, scores);
+        add(untold, forecastScores(e, 4, truth));
+        EXPECT_EQ(scores.width, forecastScores(e, 4, truth).width);
+        const TerrainEstimate without = estimateOf({}, 0.0, 0.1, -0.12816, 0.12816);
+        fixed += forecastScores(without, 4, truth, kTruthSd).in80 ? 1.0 / kTruths : 0.0;
+    }
+    EXPECT_NEAR(told[0], 0.50, 0.045);  // 4 sd of a share of 2000
+    EXPECT_NEAR(told[1], 0.80, 0.036);
+    EXPECT_NEAR(told[2], 0.95, 0.02);
+    EXPECT_NEAR(fixed, 0.80, 0.036);
+    EXPECT_LT(untold[1], 0.60);
+    EXPECT_LT(kolmogorov(pit, [](double p) { return p; }), 2.23);
+    EXPECT_THROW((void)forecastScores(estimateOf({}, 0.0, 0.1, 0.0, 0.0), 4, 0.0, -0.1),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -402,5 +402,22 @@ TEST_F(SceneFileTest, namesTheFileThatItCouldNotWrite)
     EXPECT_TRUE(refused(writeScenes(path, {sceneOf("r")}), path, {"cannot be written"}));
 }
 
+TEST_F(SceneFileTest, keepsTheSdOfHeightsAndLeavesItOutWithout)
+{
+    Scene scene = sceneOf("r");
+    scene.truth[3] = 0.1;
+    EXPECT_EQ(scenesText({scene}).find("sd_"), std::string::npos);
+    scene.truthSd[3] = 0.0125;
+    const std::string text = scenesText({sceneOf("r"), scene});
+    EXPECT_NE(text.find("h_+0.7_m,sd_+0.0_m\n"), std::string::npos) << text;
+    ASSERT_TRUE(writeScenes(dir.file("sd.csv"), {sceneOf("r"), scene}));
+    const auto file = readScenes(dir.file("sd.csv"));
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_EQ(file->scenes.at(1), scene);
+    EXPECT_TRUE(file->notices.empty());
+    scene.truthSd[3] = -0.01;
+    EXPECT_THROW((void)scenesText({scene}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -111,5 +111,20 @@ TEST_F(TwoTrackSceneFileTest, refusesWhatCannotBe)
     EXPECT_THROW((void)twoTrackScenesText({wrong}), std::invalid_argument);
 }
 
+TEST_F(TwoTrackSceneFileTest, keepsTheSdOfBothSides)
+{
+    TwoTrackScene scene = someScene();
+    EXPECT_EQ(twoTrackScenesText({scene}).find("_sd_"), std::string::npos);
+    scene.truthSd[0][2] = 0.01;
+    scene.truthSd[1][10] = 0.02;
+    const auto file = read(twoTrackScenesText({scene}));
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_EQ(file->scenes.at(0), scene);
+    EXPECT_EQ(mirrored(scene).truthSd[1][2], 0.01);
+    Scene plane;
+    plane.truthSd[4] = 0.03;
+    EXPECT_EQ(onBothSides(plane).truthSd[1][4], 0.03);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -274,5 +274,47 @@ TEST(GaussianProcess, tinyLengthScalesReturnTheNoisyData)
     EXPECT_NEAR(at.mean, data.y[5] * signal2 / (signal2 + noise2), 1e-12);
 }
 
+TEST(GaussianProcess, aNoisyRowFollowsTheOthers)
+{
+    Data data = someData(40, 2);
+    const Eigen::VectorXd x = data.X.row(7).transpose();
+    const GaussianProcess clean(data.X, data.y, data.hyper, 0.0);
+    data.y[7] += 3.0;
+    Eigen::VectorXd variance = Eigen::VectorXd::Zero(40);
+    variance[7] = 9.0;
+    const GaussianProcess misled(data.X, data.y, data.hyper, 0.0);
+    EXPECT_GT(std::abs(misled.predict(x).mean - clean.predict(x).mean), 0.5);
+    const GaussianProcess told(data.X, data.y, data.hyper, 0.0, {}, variance);
+    // As without the row, but for its small weight.
+    std::vector<int> others;
+    for (int u = 0; u < 40; ++u)
+        if (u != 7) others.push_back(u);
+    const GaussianProcess without(data.X(others, Eigen::all), data.y(others), data.hyper, 0.0);
+    EXPECT_NEAR(told.predict(x).mean, without.predict(x).mean, 0.12);
+    EXPECT_NEAR(told.predict(x).variance, without.predict(x).variance, 0.01);
+}
+
+TEST(GaussianProcess, addsRowVarianceToTheDiagonal)
+{
+    const Data data = someData(30, 2);
+    const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(30, 0.0, 0.5);
+    Eigen::MatrixXd K = covariance(data);
+    K.diagonal() += variance;
+    const Eigen::VectorXd x = Eigen::Vector2d(0.3, -0.2);
+    Eigen::VectorXd k(30);
+    for (Eigen::Index u = 0; u < 30; ++u) k[u] = kernel(data.X.row(u), x, data.hyper);
+    const double prior = std::pow(data.hyper.signalSd, 2) + std::pow(data.hyper.noiseSd, 2);
+    const GaussianProcess process(data.X, data.y, data.hyper, 0.0, {}, variance);
+    EXPECT_NEAR(process.predict(x).mean, k.dot(K.ldlt().solve(data.y)), 1e-9);
+    EXPECT_NEAR(process.predict(x).variance, prior - k.dot(K.ldlt().solve(k)), 1e-9);
+    // Through all rows a sparse process is the same.
+    const auto sparse = GaussianProcess::sparse(data.X, data.y, 29, data.hyper, 0.0, {}, variance);
+    EXPECT_NEAR(sparse->predict(x).mean, process.predict(x).mean, 0.02);
+    EXPECT_THROW(GaussianProcess(data.X, data.y, data.hyper, 0.0, {}, variance.head(29)),
+                 std::invalid_argument);
+    EXPECT_THROW(GaussianProcess(data.X, data.y, data.hyper, 0.0, {}, -variance),
+                 std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -250,5 +250,26 @@ TEST(Likelihood, pollsOftenAndRethrows)
     }
 }
 
+TEST(Likelihood, countsTheVarianceOfEachRow)
+{
+    const Data data = someData(40, 3);
+    const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(40, 0.0, 0.3);
+    Eigen::MatrixXd K = covariance(data);
+    K.diagonal() += variance;
+    const Eigen::LLT<Eigen::MatrixXd> llt(K);
+    const double expected = 0.5 * data.y.dot(llt.solve(data.y))
+                          + llt.matrixLLT().diagonal().array().log().sum()
+                          + 20.0 * std::log(2.0 * std::numbers::pi);
+    const auto at = [&](double logNoise) {
+        Hyperparameters hyper = data.hyper;
+        hyper.noiseSd = std::exp(logNoise);
+        return negativeLogLikelihood(data.X, data.y, hyper, {}, variance);
+    };
+    const double logNoise = std::log(data.hyper.noiseSd);
+    EXPECT_NEAR(at(logNoise).negativeLog, expected, 1e-8);
+    const double slope = (at(logNoise + 1e-5).negativeLog - at(logNoise - 1e-5).negativeLog) / 2e-5;
+    EXPECT_NEAR(at(logNoise).gradient[4], slope, 1e-4);
+}
+
 }  // namespace
 }  // namespace terratact

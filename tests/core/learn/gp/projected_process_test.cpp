@@ -275,5 +275,46 @@ TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
     EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper), std::invalid_argument);
 }
 
+TEST(ProjectedProcess, weighsRowsByTheirVariance)
+{
+    const Data data;
+    const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(60, 0.0, 2.0);
+    const ProjectedProcess p =
+        projectProcess(data.X, data.y, data.all, data.hyper, {}, {}, variance);
+    const GaussianProcess exact(data.X, data.y, data.hyper, 0.0, {}, variance);
+    for (const double at : {-1.0, 0.0, 0.7}) {
+        const Eigen::Vector2d x(at, 0.5 * at);
+        EXPECT_NEAR(data.mean(p, data.all, x), exact.predict(x).mean, 1e-4) << at;
+    }
+    // The residual of a row is that against the process without it.
+    for (const int left : {3, 50}) {
+        std::vector<int> others;
+        for (int u = 0; u < 60; ++u)
+            if (u != left) others.push_back(u);
+        const GaussianProcess without(data.X(others, Eigen::all), data.y(others), data.hyper, 0.0,
+                                      {}, variance(others));
+        EXPECT_NEAR(p.leaveOneOut[left],
+                    data.y[left] - without.predict(data.X.row(left).transpose()).mean, 2e-3);
+    }
+}
+
+TEST(ProjectedProcess, leavesOutPlacesOfNoisyRows)
+{
+    const Data data;
+    const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(60, 0.0, 2.0);
+    std::vector<int> places = data.all;
+    places[21] = 20;
+    const ProjectedProcess p =
+        projectProcess(data.X, data.y, data.all, data.hyper, {}, places, variance);
+    std::vector<int> others;
+    for (int u = 0; u < 60; ++u)
+        if (u != 20 && u != 21) others.push_back(u);
+    const GaussianProcess without(data.X(others, Eigen::all), data.y(others), data.hyper, 0.0, {},
+                                  variance(others));
+    for (const int u : {20, 21})
+        EXPECT_NEAR(p.leaveOneOut[u], data.y[u] - without.predict(data.X.row(u).transpose()).mean,
+                    2e-3);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -169,5 +169,24 @@ TEST(Rows, areSplitByRegimeAndThinnedEvenly)
     EXPECT_GT(chosen.back(), 3980);
 }
 
+TEST(ClearanceTraining, residualsLeaveOutTheSdOfTheTruth)
+{
+    auto scenes = someScenes(10, 7);
+    const auto residualSd = [](const std::vector<Scene>& of) {
+        ModelData model = prepareTraining(of).model;
+        trainToyClearances(model);
+        return model.clearance.open[9].residualSd;
+    };
+    const double exact = residualSd(scenes);
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    for (Scene& scene : scenes) *scene.truth[9] += 0.1 * normal(rng);
+    const double untold = residualSd(scenes);
+    for (Scene& scene : scenes) scene.truthSd[9] = 0.1;
+    const double told = residualSd(scenes);
+    EXPECT_GT(untold, exact + 0.02);
+    EXPECT_NEAR(told, exact, 0.015);
+}
+
 }  // namespace
 }  // namespace terratact

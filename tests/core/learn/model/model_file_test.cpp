@@ -101,6 +101,23 @@ TEST_F(ModelFile, storesTheNumberOfRepeatedRowsIfThereIsOne)
     EXPECT_EQ(contentOf(path).find("repeated_rows"), std::string::npos);
 }
 
+TEST_F(ModelFile, storesTheSdOfHeightsIfThereIsOne)
+{
+    ModelData measured = model;
+    measured.heightSd = Eigen::MatrixXd::Constant(model.heights.rows(), kBins, 0.0125);
+    ASSERT_TRUE(writeModel(path, measured));
+    const auto got = readModel(path);
+    ASSERT_TRUE(got) << got.error().text;
+    EXPECT_EQ(got->data.heightSd, measured.heightSd);
+    EXPECT_TRUE(refusesAfter("UPDATE height_sd_row SET \"sd_+0.0_m\" = -1 WHERE row = 0",
+                             {"sd of a height", "sd_+0.0_m is -1"}));
+    EXPECT_TRUE(refusesAfter("UPDATE height_sd_row SET \"sd_+0.0_m\" = 0.5 WHERE row = 0",
+                             {"content was altered"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM height_sd_row WHERE row > 0", {"do not fit"}));
+    ASSERT_TRUE(writeModel(path, model));
+    EXPECT_EQ(contentOf(path).find("height_sd"), std::string::npos);
+}
+
 TEST_F(ModelFile, numbersThatSqliteStoresInOtherFormsSurvive)
 {
     ModelData sent = model;
@@ -299,7 +316,7 @@ TEST_F(ModelFile, isReadFromAnyPathWithReadPermission)
 
 TEST_F(ModelFile, theHashDependsOnEveryPart)
 {
-    const std::array<std::function<void(ModelData&)>, 27> changes{
+    const std::array<std::function<void(ModelData&)>, 29> changes{
         [](ModelData& m) { m.heights(1, 2) += 1e-9; },
         [](ModelData& m) { m.features(2, 10) += 1e-9; },
         [](ModelData& m) { m.pa.mean[13] += 1e-9; },
@@ -327,6 +344,8 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
         [](ModelData& m) { m.dataHash[63] = 'b'; },
         [](ModelData& m) { m.inducing = 2; },
         [](ModelData& m) { m.repeats = 2; },
+        [](ModelData& m) { m.heightSd = Eigen::MatrixXd::Zero(m.heights.rows(), kBins); },
+        [](ModelData& m) { m.heightSd = Eigen::MatrixXd::Ones(m.heights.rows(), kBins); },
     };
     std::set<std::string> hashes{contentHash(model)};
     for (const auto& change : changes) {

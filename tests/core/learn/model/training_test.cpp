@@ -102,5 +102,37 @@ TEST(TrainBin, givesTheSameForTheSameSeedAndStopsWhenCancelled)
     }
 }
 
+TEST(PrepareTraining, keepsTheSdOfHeights)
+{
+    auto scenes = someScenes(6, 3);
+    EXPECT_EQ(prepareTraining(scenes).model.heightSd.rows(), 0);
+    scenes[0].truthSd[2] = 0.05;
+    const TrainingSet set = prepareTraining(scenes);
+    ASSERT_EQ(set.model.heightSd.rows(), set.used);
+    EXPECT_EQ(set.model.heightSd(0, 2), 0.05);
+    EXPECT_EQ(set.model.heightSd.sum(), 0.05);
+}
+
+TEST(TrainBin, explainsNoiseOfRowsByTheirSd)
+{
+    auto scenes = someScenes(8, 5);
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    for (std::size_t k = 0; k < scenes.size(); k += 2) {
+        *scenes[k].truth[5] += 0.15 * normal(rng);
+        scenes[k].truthSd[5] = 0.15;
+    }
+    TrainingOptions options;
+    options.subset = 60;
+    options.subsetEvaluations = 40;
+    const double told =
+        trainBin(prepareTraining(scenes).model, FeatureSet::Pa, 5, options).hyper.noiseSd;
+    for (Scene& scene : scenes) scene.truthSd = {};
+    const double untold =
+        trainBin(prepareTraining(scenes).model, FeatureSet::Pa, 5, options).hyper.noiseSd;
+    EXPECT_GT(untold, 0.08);
+    EXPECT_LT(told, 0.06);
+}
+
 }  // namespace
 }  // namespace terratact
