@@ -26,7 +26,7 @@ endif()
 
 set(core_rooms base series store robot robot/watch bags wire wire/dbc mapping terrain learn/data clouds learn/kernels learn/gp learn/net learn/model infer/estimate strip trail infer/sampling infer infer/verdict eval atem sim/ground sim/rest sim log)
 set(widgets_rooms base terrain control signals)
-set(app_rooms runtime link recording plotting modelling figures cli shell start mission pages sessions review console main)
+set(app_rooms runtime link recording plotting modelling figures cli shell start mission pages sessions imports review console main)
 set(no_qt "^app/(runtime|link|recording|plotting|modelling|figures|cli)/")
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(qt_core_only "^app/(display|mission)/")

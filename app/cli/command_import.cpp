@@ -8,6 +8,7 @@
 #include "app/cli/session_commands.h"
 #include "app/recording/recording_import.h"
 #include "app/recording/session_text.h"
+#include "app/recording/survey_text.h"
 #include "app/runtime/print_text.h"
 #include "core/mapping/mapping_proposal.h"
 #include "core/mapping/recording_check.h"
@@ -25,29 +26,6 @@ void printRemarks(const std::string& file, const std::vector<std::string>& remar
         printText(stderr, "terratact: {}: {}\n", file, remark);
 }
 
-void printTopic(const TopicSurvey& survey)
-{
-    const RecordedTopic& topic = survey.topic;
-    printText("\n{}\n  {} of {}: {} messages", topic.name, topic.encoding,
-              topic.type.empty() ? "an unnamed type" : topic.type, survey.messages);
-    if (survey.rate() > 0.0)
-        printText(" in {:.3f} s, {:.2f} per second, longest gap {:.3f} s", survey.seconds(),
-                  survey.rate(), static_cast<double>(survey.longestGap) * 1e-9);
-    printText("\n");
-    if (survey.stampOffset)
-        printText("  header.stamp lies {:.3f} s before the recorder's time\n", *survey.stampOffset);
-    if (!survey.why.empty()) printText("  not decoded: {}\n", survey.why);
-    for (const FieldSurvey& field : survey.fields) {
-        printText("  {:<40} ", field.path);
-        if (field.count > 0)
-            printText("{:>12.6g} to {:<12.6g}", field.least, field.most);
-        else
-            printText("{:>28}", "no finite value");
-        if (field.notFinite > 0) printText(" {} null or not finite", field.notFinite);
-        printText("\n");
-    }
-}
-
 Status probeRecording(const ImportOptions& options)
 {
     CsvTime csv;
@@ -62,9 +40,7 @@ Status probeRecording(const ImportOptions& options)
     if (!surveys) return surveys.error();
     std::uint64_t messages = 0;
     for (const TopicSurvey& survey : *surveys) messages += survey.messages;
-    printText("{}: {}, {} topics, {} messages\n", options.file, (*recording)->format(),
-              surveys->size(), messages);
-    for (const TopicSurvey& survey : *surveys) printTopic(survey);
+    printText("{}", Lines(surveyText(**recording, *surveys)));
     printRemarks(options.file, (*recording)->consumeRemarks());
     if (messages == 0) return fileError(options.file, "holds no message");
     const std::string name = std::filesystem::path(options.file).stem().string();

@@ -279,19 +279,23 @@ void ConnectWindow::connectChosen()
         return emit connectionWanted({bus->name, transmit_->isChecked()});
     if (kind() == Kind::Simulated) return emit connectionWanted({});
     const bool session = kind() == Kind::Session;
-    askForFile(*this,
-               {.title = session ? tr("Session to review") : tr("Log to replay"),
-                .start = session ? options_.sessions : QString(),
-                .filter = session ? tr("Sessions (*.tts)")
-                                  : tr("Logs (*.log *.asc *.trc *.csv *.gz);;All files (*)")},
-               [this, session](const QString& path) { openFile(path, session); });
+    askForFile(
+        *this,
+        {.title = session ? tr("Session to review") : tr("Log to replay"),
+         .start = session ? options_.sessions : QString(),
+         .filter = session
+                     ? tr("Sessions (*.tts)")
+                     : tr("Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz "
+                          "*.mcap *.bag *.db3);;All files (*)")},
+        [this, session](const QString& path) { openFile(path, session); });
 }
 
 void ConnectWindow::openFile(const QString& path, bool asSession)
 {
     const FileKind found = kindOfFile(path);
     const QString name = format::fileName(path);
-    if (asSession && found != FileKind::Session)
+    const bool isReviewed = found == FileKind::Session || found == FileKind::Recording;
+    if (asSession && !isReviewed)
         return result_->setText(
             tr("%1 is no session; choose a recording of this console, or replay it as a log")
                 .arg(name));

@@ -6,6 +6,7 @@
 #include "app/display/format.h"
 #include "app/recording/session_folder.h"
 #include "app/sessions/open_recording.h"
+#include "app/shell/dropped_files.h"
 #include "app/shell/key_table.h"
 #include "app/shell/open_file.h"
 
@@ -13,6 +14,9 @@ namespace terratact {
 
 void MainWindow::addWindowKeys(KeyTable& keys)
 {
+    openDroppedFiles(*this, [this](const QString& path) {
+        openInAnotherWindow(path, sharedStop_->line(), notOpened());
+    });
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
               tr("open a session, a log or scenes in another window"),
               [this] { open(); }});

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/console/open_console.h"
+#include "app/imports/open_import.h"
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/parse_arguments.h"
@@ -32,6 +33,8 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
     const FileKind kind = kindOfFile(QString::fromStdString(options.replay));
     if (kind == FileKind::Session) return openReview(application, options);
     if (kind == FileKind::Scenes) return openScenes(application, options);
+    if (kind == FileKind::Recording && !options.isPicture())
+        return openImport(application, options);
     if (options.isPicture())
         return Error{options.replay + ": is no session, of which a picture could be saved"};
     return openConsole(application, options);

@@ -42,6 +42,7 @@ public:
     {
         auto recording = openRecording(options_.file, mapping_.csv);
         if (!recording) return recording.error();
+        (*recording)->follow(options_.watch);
         report_.format = (*recording)->format();
         Status done = mapping_.frames ? importFrames(**recording) : importLines(**recording);
         for (std::string& text : (*recording)->consumeRemarks())
@@ -151,6 +152,7 @@ private:
                 if (Status told = addClockStep(*step, lines[i].time - begin_); !told) return told;
             const bool isScene = press != presses.end() && *press == i;
             press += isScene ? 1 : 0;
+            if (options_.watch) options_.watch(i, false);
             if (Status written = writeLine(lines[i], isScene); !written) return written;
         }
         report_.lines = lines.size();
@@ -220,6 +222,7 @@ private:
         if (!presses) return presses.error();
         auto again = openRecording(options_.file, mapping_.csv);
         if (!again) return again.error();
+        (*again)->follow(options_.watch);
         RecordedFrames frames(**again, *mapping_.frames);
         auto press = presses->begin();
         for (std::size_t steps = 0;;) {
@@ -298,13 +301,19 @@ Result<ImportedSession> importRecording(const RecordingImport& options)
     if (!robotText) return robotText.error();
     auto robot = robotModelFrom(options.robot, *robotText);
     if (!robot) return robot.error();
-    auto mapping = readMapping(options.mapping);
+    auto mapping = options.mappingText.empty() ? readMapping(options.mapping)
+                                               : mappingFrom(options.mapping, options.mappingText);
     if (!mapping) return mapping.error();
     RecordingImporter importer(options, std::move(*mapping), std::move(*robot),
                                std::move(*robotText));
-    auto done = importer.run();
-    if (!done && importer.began()) removeUnfinishedSession(options.out);
-    return done;
+    try {
+        auto done = importer.run();
+        if (!done && importer.began()) removeUnfinishedSession(options.out);
+        return done;
+    } catch (...) {
+        if (importer.began()) removeUnfinishedSession(options.out);
+        throw;
+    }
 }
 
 }  // namespace terratact

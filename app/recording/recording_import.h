@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bags/recording.h"
 #include "core/base/result.h"
 #include "core/mapping/mapping.h"
 
@@ -14,6 +15,11 @@ struct RecordingImport {
     std::string mapping;  ///< mapping file
     std::string robot;    ///< robot file to store in the session
     std::string out;      ///< session to write; must not exist
+    /// Text of a mapping, which errors call `mapping`; empty: the file is read.
+    std::string mappingText{};
+    /// Called with each message that is read and each line that is written; an exception ends the import, and no session is
+    /// left.
+    RecordingWatch watch{};
 };
 
 /// What an import wrote, and what the file and the mapping lacked.

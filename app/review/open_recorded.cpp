@@ -8,7 +8,10 @@
 #include "app/recording/what_if.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
+#include "app/shell/dropped_files.h"
+#include "app/shell/open_file.h"
 #include "app/shell/window_picture.h"
 #include "app/start/console_setup.h"
 #include "core/learn/data/two_track_scene_file.h"
@@ -22,6 +25,11 @@ constexpr int kReadyPeriod = 200;  // [ms] polling period until a window is read
 Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
                         const std::function<bool()>& isReady)
 {
+    openDroppedFiles(window, [](const QString& path) {
+        openInAnotherWindow(path, {}, [](const QString& why) {
+            printText(stderr, "terratact-console: {}\n", why.toStdString());
+        });
+    });
     showWindow(window, options);
     if (!options.isPicture()) return QApplication::exec();
     Status saved = Done{};

@@ -11,7 +11,9 @@
 #include "app/runtime/resources.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/remote_stop.h"
+#include "core/bags/recording.h"
 #include "core/log/session_schema.h"
+#include "core/wire/log_reader.h"
 
 namespace terratact {
 namespace {
@@ -35,9 +37,14 @@ FileKind kindOfFile(const QString& path)
         && qFromBigEndian<quint32>(head.constData() + kApplicationId)
                == static_cast<quint32>(kSessionApplicationId))
         return FileKind::Session;
+    for (const char* const magic : {"\x89MCAP", "#ROSBAG", "SQLite format 3"})
+        if (head.startsWith(magic)) return FileKind::Recording;
     // Scenes have a header, possibly below comments, in any dialect of core/store/csv_reader.h. No log contains these
     // words.
-    return head.contains("pitch_rad") && head.contains("t_s") ? FileKind::Scenes : FileKind::Log;
+    if (head.contains("pitch_rad") && head.contains("t_s")) return FileKind::Scenes;
+    if (auto log = LogReader::open(path.toStdString()))
+        if (const auto first = log->next(); first && *first) return FileKind::Log;
+    return openRecording(path.toStdString()) ? FileKind::Recording : FileKind::Log;
 }
 
 void openInAnotherWindow(const QString& path, const std::string& stopLine,
@@ -58,8 +65,9 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
 void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                                std::function<void(const QString& why)> failed)
 {
-    const QString filter = OpenFile::tr(
-        "Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)");
+    const QString filter = OpenFile::tr("Sessions, logs, scenes and recordings of other programs "
+                                        "(*.tts *.log *.asc *.trc *.csv *.gz "
+                                        "*.mcap *.bag *.db3);;All files (*)");
     const QString start = QFileInfo(folder).isDir() ? folder : QString();
     askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
                [stopLine, failed = std::move(failed)](const QString& path) {

@@ -12,9 +12,10 @@ namespace terratact {
 
 /// Kind of a file, by its content.
 enum class FileKind : std::uint8_t {
-    Session,  ///< a recorded session
-    Scenes,   ///< scenes as CSV
-    Log       ///< anything else; the log reader decides
+    Session,    ///< a recorded session
+    Scenes,     ///< scenes as CSV
+    Recording,  ///< of another program: MCAP, a bag of ROS, CSV with times
+    Log         ///< anything else; the log reader decides
 };
 FileKind kindOfFile(const QString& path);
 

@@ -18,6 +18,13 @@
 
 namespace terratact {
 
+Result<bool> Recording::read(RecordedMessage& message)
+{
+    auto more = next(message);
+    if (watch_ && more && *more) watch_(message.offset, offsetUnit() == "byte");
+    return more;
+}
+
 void Recording::remark(std::string text)
 {
     constexpr std::size_t kMax = 20;  // one damaged file may have a fault in every chunk

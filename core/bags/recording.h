@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,6 +24,10 @@ struct RecordedMessage {
     std::uint64_t offset = 0;  ///< byte of the file, row of a database, or line of a text
     std::string_view data;
 };
+
+/// Called with the place of each message that is read, and whether it counts bytes. An exception that it throws ends the
+/// reading, as cancellation does.
+using RecordingWatch = std::function<void(std::uint64_t place, bool isByte)>;
 
 /// Topics of timed messages in a file of another program. Nothing in the file is trusted. A file that is
 /// cut or lacks its index is read as far as it goes, and remarks say where it ends.
@@ -56,6 +61,11 @@ public:
     /// Returns false after the last. Errors name the file, the byte and what was expected.
     virtual Result<bool> next(RecordedMessage& message) = 0;
 
+    /// Calls `watch` with each message of read().
+    void follow(RecordingWatch watch) { watch_ = std::move(watch); }
+    /// The same as next(), and calls the watch: for readers of whole recordings.
+    Result<bool> read(RecordedMessage& message);
+
     /// Decodes a message that next() returned. Errors name the file, the topic and the message's place.
     virtual Result<FieldValue> decode(const RecordedMessage& message);
 
@@ -76,6 +86,7 @@ protected:
 
 private:
     std::string path_;
+    RecordingWatch watch_;
     std::optional<std::set<std::string>> selected_;
     std::vector<std::string> remarks_;
     std::size_t remarked_ = 0;

@@ -36,7 +36,7 @@ RecordedFrames::RecordedFrames(Recording& recording, const FramesSource& source)
 Result<std::optional<RecordedFrame>> RecordedFrames::next()
 {
     RecordedMessage message;
-    const auto more = recording_.next(message);
+    const auto more = recording_.read(message);
     if (!more) return more.error();
     if (!*more) return std::optional<RecordedFrame>();
     auto frame = frameOf(message);

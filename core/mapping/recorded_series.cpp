@@ -86,7 +86,7 @@ public:
     {
         recording_.select(topics_);
         for (RecordedMessage message;;) {
-            const Result<bool> more = recording_.next(message);
+            const Result<bool> more = recording_.read(message);
             if (!more) return more.error();
             if (!*more) break;
             if (Status added = add(message); !added) return added.error();

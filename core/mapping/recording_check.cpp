@@ -216,10 +216,12 @@ std::set<std::string> mappedTopics(const Mapping& mapping)
 }  // namespace
 
 Result<std::vector<std::string>> checkRecording(const std::string& path, const Mapping& mapping,
-                                                const RobotModel& robot)
+                                                const RobotModel& robot,
+                                                const RecordingWatch& watch)
 {
     auto recording = openRecording(path, mapping.csv);
     if (!recording) return recording.error();
+    (*recording)->follow(watch);
     (*recording)->select(mappedTopics(mapping));
     const auto surveys = surveyRecording(**recording);
     if (!surveys) return surveys.error();
@@ -230,6 +232,7 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
     if (mapping.frames) return findings;
     auto again = openRecording(path, mapping.csv);
     if (!again) return again.error();
+    (*again)->follow(watch);
     auto series = readSeries(**again, mapping, robot);
     if (!series) return series.error();
     for (std::string& remark : series->remarks) findings.push_back(std::move(remark));

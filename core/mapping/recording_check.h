@@ -18,9 +18,10 @@ namespace terratact {
 ///     radians; degrees that never leave ±3.2: radians taken for degrees;
 ///   - a sensor that never changes while another one does: stuck;
 ///   - a current or force of which at least 2 % and 20 values equal its largest one: saturated.
-/// Errors are those of readSeries().
+/// watch: called with each message. Errors are those of readSeries().
 Result<std::vector<std::string>> checkRecording(const std::string& path, const Mapping& mapping,
-                                                const RobotModel& robot);
+                                                const RobotModel& robot,
+                                                const RecordingWatch& watch = {});
 
 /// Returns those doubts that make the numbers of an import wrong: units of angles, and clocks that
 /// differ from the recorder's.

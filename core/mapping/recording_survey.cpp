@@ -96,7 +96,7 @@ Result<std::vector<TopicSurvey>> surveyRecording(Recording& recording)
 {
     std::vector<TopicCounter> counters;
     for (RecordedMessage message;;) {
-        const Result<bool> more = recording.next(message);
+        const Result<bool> more = recording.read(message);
         if (!more) return more.error();
         if (!*more) break;
         counters.resize(std::max(counters.size(), recording.topics().size()));

@@ -504,8 +504,8 @@
         <translation>%1 nelze otevřít: program se nepodařilo znovu spustit</translation>
     </message>
     <message>
-        <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
-        <translation>Relace, záznamy a scény (*.tts *.log *.asc *.trc *.csv *.gz);;Všechny soubory (*)</translation>
+        <source>Sessions, logs, scenes and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Relace, protokoly, scény a záznamy jiných programů (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -5720,10 +5720,6 @@ Poslední deaktivace: %1</translation>
         <translation>Relace (*.tts)</translation>
     </message>
     <message>
-        <source>Logs (*.log *.asc *.trc *.csv *.gz);;All files (*)</source>
-        <translation>Záznamy (*.log *.asc *.trc *.csv *.gz);;Všechny soubory (*)</translation>
-    </message>
-    <message>
         <source>%1 is no session; choose a recording of this console, or replay it as a log</source>
         <translation>%1 není relace; zvolte záznam této konzoly, nebo jej přehrajte jako záznam sběrnice</translation>
     </message>
@@ -5742,6 +5738,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>CAN bus %1 is no longer there</source>
         <translation>Sběrnice CAN %1 už tu není</translation>
+    </message>
+    <message>
+        <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Protokoly a záznamy jiných programů (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -6936,6 +6936,172 @@ F1</translation>
     <message>
         <source>Choose an estimate first</source>
         <translation>Nejprve vyberte odhad</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ImportPage</name>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Čte se %1 …</translation>
+    </message>
+    <message>
+        <source>What the recording holds</source>
+        <translation>Co záznam obsahuje</translation>
+    </message>
+    <message>
+        <source>Mapping: which topic and field is which sensor</source>
+        <translation>Přiřazení: které téma a pole je který senzor</translation>
+    </message>
+    <message>
+        <source>What is missing or doubtful</source>
+        <translation>Co chybí nebo je pochybné</translation>
+    </message>
+    <message>
+        <source>The recording h&amp;olds</source>
+        <translation>Zázn&amp;am obsahuje</translation>
+    </message>
+    <message>
+        <source>&amp;Mapping: correct it where it is wrong</source>
+        <translation>&amp;Přiřazení: opravte, co je špatně</translation>
+    </message>
+    <message>
+        <source>Where the mapping comes from</source>
+        <translation>Odkud přiřazení pochází</translation>
+    </message>
+    <message>
+        <source>proposed mapping</source>
+        <translation>navržené přiřazení</translation>
+    </message>
+    <message>
+        <source>shipped: %1</source>
+        <translation>dodané: %1</translation>
+    </message>
+    <message>
+        <source>from a file …</source>
+        <translation>ze souboru …</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Zkontrolovat</translation>
+    </message>
+    <message>
+        <source>Read the recording by this mapping and list gaps, doubtful units and signs</source>
+        <translation>Přečte záznam podle tohoto přiřazení a vypíše mezery, pochybné jednotky a znaménka</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importovat …</translation>
+    </message>
+    <message>
+        <source>Write a session by this mapping and open it</source>
+        <translation>Zapíše relaci podle tohoto přiřazení a otevře ji</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Z&amp;rušit</translation>
+    </message>
+    <message>
+        <source>Stop reading; nothing is written</source>
+        <translation>Ukončí čtení; nic se nezapíše</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Průběh</translation>
+    </message>
+    <message>
+        <source>Missing or &amp;doubtful</source>
+        <translation>&amp;Chybí nebo je pochybné</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Kontroluje se …</translation>
+    </message>
+    <message>
+        <source>%1 messages read</source>
+        <translation>přečteno zpráv: %1</translation>
+    </message>
+    <message>
+        <source>Look at each table of the mapping, above all at signs and units; then check it.</source>
+        <translation>Projděte každou tabulku přiřazení, hlavně znaménka a jednotky; pak je zkontrolujte.</translation>
+    </message>
+    <message>
+        <source>Nothing is doubtful.</source>
+        <translation>Nic není pochybné.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n doubt(s), see below.</source>
+        <translation>
+            <numerusform>%n pochybnost, viz níže.</numerusform>
+            <numerusform>%n pochybnosti, viz níže.</numerusform>
+            <numerusform>%n pochybností, viz níže.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lines of telemetry in %2 s and %3 scenes written to %4</source>
+        <translation>řádků telemetrie: %1 za %2 s, scén: %3, zapsáno do %4</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Zrušeno; nic se nezapsalo.</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Přiřazení</translation>
+    </message>
+    <message>
+        <source>Mapping files (*.toml);;All files (*)</source>
+        <translation>Soubory přiřazení (*.toml);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Mapping of %1</source>
+        <translation>Přiřazení ze souboru %1</translation>
+    </message>
+    <message>
+        <source>Session to write</source>
+        <translation>Relace k zapsání</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tts)</source>
+        <translation>Relace (*.tts)</translation>
+    </message>
+    <message>
+        <source>Importing …</source>
+        <translation>Importuje se …</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ImportWindow</name>
+    <message>
+        <source>IMPORT — %1 — Terratact</source>
+        <translation>IMPORT — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>IMPORT OF A RECORDING</source>
+        <translation>IMPORT ZÁZNAMU</translation>
+    </message>
+    <message>
+        <source>no link: a file</source>
+        <translation>bez spojení: soubor</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>model: --</source>
+        <translation>model: --</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>What the recording holds, and its mapping</source>
+        <translation>Co záznam obsahuje a jeho přiřazení</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
     </message>
 </context>
 <context>

@@ -504,8 +504,8 @@
         <translation>%1 ließ sich nicht öffnen: das Programm ließ sich nicht noch einmal starten</translation>
     </message>
     <message>
-        <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
-        <translation>Sitzungen, Logs und Szenen (*.tts *.log *.asc *.trc *.csv *.gz);;Alle Dateien (*)</translation>
+        <source>Sessions, logs, scenes and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Sitzungen, Protokolle, Szenen und Aufzeichnungen anderer Programme (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -5720,10 +5720,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>Sitzungen (*.tts)</translation>
     </message>
     <message>
-        <source>Logs (*.log *.asc *.trc *.csv *.gz);;All files (*)</source>
-        <translation>Logs (*.log *.asc *.trc *.csv *.gz);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>%1 is no session; choose a recording of this console, or replay it as a log</source>
         <translation>%1 ist keine Sitzung; eine Aufzeichnung dieser Konsole wählen, oder als Log abspielen</translation>
     </message>
@@ -5742,6 +5738,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>CAN bus %1 is no longer there</source>
         <translation>Den CAN-Bus %1 gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Protokolle und Aufzeichnungen anderer Programme (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -6936,6 +6936,171 @@ F1</translation>
     <message>
         <source>Choose an estimate first</source>
         <translation>Wählen Sie zuerst eine Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ImportPage</name>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>What the recording holds</source>
+        <translation>Was die Aufzeichnung enthält</translation>
+    </message>
+    <message>
+        <source>Mapping: which topic and field is which sensor</source>
+        <translation>Zuordnung: welches Topic und Feld welcher Sensor ist</translation>
+    </message>
+    <message>
+        <source>What is missing or doubtful</source>
+        <translation>Was fehlt oder zweifelhaft ist</translation>
+    </message>
+    <message>
+        <source>The recording h&amp;olds</source>
+        <translation>Die A&amp;ufzeichnung enthält</translation>
+    </message>
+    <message>
+        <source>&amp;Mapping: correct it where it is wrong</source>
+        <translation>&amp;Zuordnung: korrigieren, wo sie falsch ist</translation>
+    </message>
+    <message>
+        <source>Where the mapping comes from</source>
+        <translation>Woher die Zuordnung kommt</translation>
+    </message>
+    <message>
+        <source>proposed mapping</source>
+        <translation>vorgeschlagene Zuordnung</translation>
+    </message>
+    <message>
+        <source>shipped: %1</source>
+        <translation>mitgeliefert: %1</translation>
+    </message>
+    <message>
+        <source>from a file …</source>
+        <translation>aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Read the recording by this mapping and list gaps, doubtful units and signs</source>
+        <translation>Liest die Aufzeichnung nach dieser Zuordnung und nennt Lücken, zweifelhafte Einheiten und Vorzeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Import …</source>
+        <translation>&amp;Importieren …</translation>
+    </message>
+    <message>
+        <source>Write a session by this mapping and open it</source>
+        <translation>Schreibt eine Sitzung nach dieser Zuordnung und öffnet sie</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abbreche&amp;n</translation>
+    </message>
+    <message>
+        <source>Stop reading; nothing is written</source>
+        <translation>Beendet das Lesen; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Missing or &amp;doubtful</source>
+        <translation>&amp;Fehlt oder ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Prüfung läuft …</translation>
+    </message>
+    <message>
+        <source>%1 messages read</source>
+        <translation>%1 Nachrichten gelesen</translation>
+    </message>
+    <message>
+        <source>Look at each table of the mapping, above all at signs and units; then check it.</source>
+        <translation>Sehen Sie jede Tabelle der Zuordnung an, vor allem Vorzeichen und Einheiten; dann prüfen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Nothing is doubtful.</source>
+        <translation>Nichts ist zweifelhaft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n doubt(s), see below.</source>
+        <translation>
+            <numerusform>%n Zweifel, siehe unten.</numerusform>
+            <numerusform>%n Zweifel, siehe unten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lines of telemetry in %2 s and %3 scenes written to %4</source>
+        <translation>%1 Telemetriezeilen in %2 s und %3 Szenen in %4 geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Mapping files (*.toml);;All files (*)</source>
+        <translation>Zuordnungsdateien (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Mapping of %1</source>
+        <translation>Zuordnung aus %1</translation>
+    </message>
+    <message>
+        <source>Session to write</source>
+        <translation>Zu schreibende Sitzung</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tts)</source>
+        <translation>Sitzungen (*.tts)</translation>
+    </message>
+    <message>
+        <source>Importing …</source>
+        <translation>Import läuft …</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ImportWindow</name>
+    <message>
+        <source>IMPORT — %1 — Terratact</source>
+        <translation>IMPORT — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>IMPORT OF A RECORDING</source>
+        <translation>IMPORT EINER AUFZEICHNUNG</translation>
+    </message>
+    <message>
+        <source>no link: a file</source>
+        <translation>keine Verbindung: eine Datei</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model: --</source>
+        <translation>Modell: --</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>What the recording holds, and its mapping</source>
+        <translation>Was die Aufzeichnung enthält, und ihre Zuordnung</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
     </message>
 </context>
 <context>
