@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -13,6 +14,7 @@
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "core/base/memory_limit.h"
+#include "core/store/unfinished_files.h"
 
 namespace terratact {
 
@@ -21,8 +23,22 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kFailed = 1;
 
+/// Leaves nothing half-written behind Ctrl+C and the like. A command that is asked to ignore a
+/// signal, as nohup does, still ignores it.
+void removeUnfinishedOnSignals()
+{
+    const auto onSignal = [](int signal) {
+        removeUnfinished();
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    };
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, onSignal) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 int realMain(int argc, char** argv)
 {
+    removeUnfinishedOnSignals();
     reportFileSizeLimit();
     openblas_set_num_threads(1);  // our own threads run in parallel, one Gaussian process each
     CommandLine app("Terrain profile by touch for tracked robots that see nothing", "terratact");

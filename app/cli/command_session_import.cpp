@@ -156,6 +156,7 @@ private:
                                  .transmits = false,
                                  .robot = robot_,
                                  .robotHash = sha256Hex(robot_)};
+        inProgress_.emplace(options_.out);
         auto writer = SessionWriter::create(options_.out, start);
         if (!writer) return writer.error();
         writer_ = std::move(*writer);
@@ -166,6 +167,7 @@ private:
     const SessionImportOptions& options_;
     std::string robot_, interface_;
     std::optional<SessionWriter> writer_;
+    std::optional<SessionInProgress> inProgress_;
     double begin_ = 0.0;  ///< [s] of the first frame on the log's even clock
     SessionTime last_ = 0;
     std::uint64_t count_ = 0, untold_ = 0;

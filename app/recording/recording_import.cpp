@@ -91,6 +91,7 @@ private:
                             "correct the times, or the unit of the time column",
                             static_cast<double>(time) * 1e-9));
         begin_ = time;
+        inProgress_.emplace(options_.out);
         auto writer = SessionWriter::create(
             options_.out, {.wallTime = time,
                            .program = "terratact import",
@@ -288,6 +289,7 @@ private:
     TelemetryListener listener_;
     ImportedSession report_;
     std::optional<SessionWriter> writer_;
+    std::optional<SessionInProgress> inProgress_;
     std::int64_t begin_ = 0, frames_ = 0, events_ = 0;
     SessionTime last_ = 0;
     std::uint8_t counter_ = 0;

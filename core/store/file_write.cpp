@@ -14,6 +14,7 @@
 
 #include "core/base/system_message.h"
 #include "core/store/content_kind.h"
+#include "core/store/unfinished_files.h"
 
 namespace terratact {
 namespace {
@@ -205,6 +206,7 @@ Result<NewFile> NewFile::begin(const std::string& path, Access access)
     const bool owners = access == Access::Owner;
     const Descriptor file(createBeside(target, exists || owners ? kOwner : 0666, temporary));
     if (file.fd() < 0) return cannotWrite(path, errno);
+    noteUnfinished(temporary);
     NewFile created(path, target, temporary);
     const mode_t mode = owners ? kOwner : old.st_mode & 07777;
     if ((exists || owners) && ::fchmod(file.fd(), mode) != 0) return cannotWrite(path, errno);
@@ -220,6 +222,7 @@ Status NewFile::commit()
 {
     if (const int code = flushToDisk(temporary_, 0)) return failed(code);
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed(errno);
+    forgetUnfinished(temporary_);
     temporary_.clear();
     if (const int code = flushToDisk(directoryOf(target_), O_DIRECTORY)) return failed(code);
     return Done{};
@@ -233,6 +236,7 @@ Error NewFile::failed(int code) const
 void NewFile::discard() noexcept
 {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    forgetUnfinished(temporary_);
     temporary_.clear();
 }
 

@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -243,6 +244,24 @@ class Numbers(Scenes):
                 said = shell(f"ulimit -f 8; $T {command}", code=1).stderr
                 self.assertIn("a.", said)
                 self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("a.")], [], said)
+
+
+class Interrupted(Scenes):
+    def test_a_signal_leaves_nothing_half_written(self):
+        line = pathlib.Path(LOG).read_text().splitlines()[0] + "\n"
+        for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            for command in (("can", "decode", "-", "--csv", "a.csv"), ("session", "import", "-", "--out", "a.tts")):
+                with self.subTest(stop=stop, command=command):
+                    process = subprocess.Popen([CLI, *command], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                               stderr=subprocess.DEVNULL, cwd=self.path, text=True)
+                    begun = lambda: [p.name for p in self.path.iterdir() if p.name.startswith("a.")]
+                    while not begun():  # until it has begun to write
+                        process.stdin.write(line)
+                        process.stdin.flush()
+                    process.send_signal(stop)
+                    self.assertEqual(process.wait(60), -stop)
+                    process.stdin.close()
+                    self.assertEqual(begun(), [])
 
 
 class Recordings(Scenes):

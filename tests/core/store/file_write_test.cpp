@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/store/file_read.h"
+#include "core/store/unfinished_files.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -19,6 +20,28 @@ namespace terratact {
 namespace {
 
 using Names = std::set<std::string>;
+
+TEST(UnfinishedFiles, areRemovedAndFinishedOnesStay)
+{
+    const TemporaryDirectory dir;
+    auto done = NewFile::begin(dir.file("done")), open = NewFile::begin(dir.file("open"));
+    ASSERT_TRUE(done && open);
+    ASSERT_TRUE(done->commit());
+    removeUnfinished();
+    EXPECT_EQ(dir.entries(), Names{"done"});
+    const std::string name = dir.write("again", "x");
+    for (int i = 0; i < 99; ++i) {
+        noteUnfinished(name);
+        forgetUnfinished(name);
+    }
+    removeUnfinished();
+    EXPECT_EQ(dir.entries(), (Names{"again", "done"})) << "and the slots are free again";
+    noteUnfinished(name);
+    removeUnfinished();
+    forgetUnfinished(name);
+    EXPECT_EQ(dir.entries(), Names{"done"});
+    noteUnfinished(std::string(5000, 'x'));
+}
 
 TEST(WriteFileAtomically, putsTheContentAndNothingElseThere)
 {
