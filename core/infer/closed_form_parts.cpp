@@ -46,8 +46,10 @@ void momentsOf(const GaussianMixture& distribution, int i, std::size_t bin,
     const double first = std::exp(0.5 * variance) * (weight * mean.sinh()).sum();
     const double second =
         0.5 * (std::exp(2.0 * variance) * (weight * (2.0 * mean).cosh()).sum() - 1.0);
-    estimate.mean[bin] = estimate.ceiling[bin] - std::max(kSurfaceScale * first, -kDeepestSinking);
-    estimate.sd[bin] = kSurfaceScale * std::sqrt(std::max(second - first * first, 0.0));
+    estimate.mean[bin] = estimate.ceiling[bin]
+                       - std::clamp(kSurfaceScale * first, -kDeepestSinking, kDeepestSurface);
+    const double sd = kSurfaceScale * std::sqrt(std::max(second - first * first, 0.0));
+    estimate.sd[bin] = sd < kDeepestSurface ? sd : kDeepestSurface;  // also of an overflow
 }
 
 void quantilesOf(const GaussianMixture& distribution, int i, std::size_t bin,

@@ -40,6 +40,10 @@ inline constexpr double kSurfaceScale = 0.01;
 /// Largest depth [m] to which the robot sinks into ground that carries it.
 inline constexpr double kDeepestSinking = 0.03;
 
+/// Largest clearance [m] that a surface coordinate stands for. Readings that contradict each other
+/// lead to coordinates whose sinh is kilometres.
+inline constexpr double kDeepestSurface = 5.0;
+
 /// Returns the surface coordinate, in which the closed forms (methods `joint`, `local`) predict a
 /// bin's height:
 ///   under the robot   y = asinh((ceiling − height) / a)
@@ -60,11 +64,12 @@ inline double surfaceSd(double height, double s, double ceiling)
     return 0.5 * std::abs(toSurface(height + s, ceiling) - toSurface(height - s, ceiling));
 }
 
-/// Returns the height [m] of a surface coordinate; at most kDeepestSinking above the ceiling.
+/// Returns the height [m] of a surface coordinate; at most kDeepestSinking above the ceiling, and at
+/// most kDeepestSurface below.
 inline double toHeight(double y, double ceiling)
 {
     if (std::isinf(ceiling)) return y;
-    return ceiling - std::max(kSurfaceScale * std::sinh(y), -kDeepestSinking);
+    return ceiling - std::clamp(kSurfaceScale * std::sinh(y), -kDeepestSinking, kDeepestSurface);
 }
 
 }  // namespace terratact

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "core/infer/estimate/quantile.h"
 #include "core/infer/estimator.h"
@@ -148,6 +149,29 @@ TEST(ClosedForm, aProbePullsItsBinAndNarrowsIt)
         }
 }
 
+TEST(ClosedForm, contradictingProbesGiveNoGroundBeyondReason)
+{
+    // Readings that no scene of training explains lead to coordinates whose sinh is kilometres.
+    std::vector<ArmReading> arm;
+    for (const int bin : {2, 4, 6, 8, 10})
+        arm.insert(arm.end(), {.bin = bin, .height = bin % 4 == 0 ? -2.2 : -0.24, .sd = 0.01});
+    for (const Method method : {Method::Joint, Method::Local})
+        for (const Scene& scene : bench().scenes) {
+            Settings settings = settingsFor(method);
+            settings.hazardRate = 0.0;  // hazards lie deeper
+            const TerrainEstimate e =
+                estimateTerrain(scene.s, arm, bench().robot, bench().models, settings);
+            for (std::size_t i = 0; i < kBins; ++i) {
+                if (std::isinf(e.ceiling[i])) continue;
+                const double lowest = e.ceiling[i] - kDeepestSurface;
+                EXPECT_GE(e.mean[i], lowest - 1e-9);
+                EXPECT_GE(e.q10[i], lowest - 1e-9);
+                EXPECT_LE(e.sd[i], kDeepestSurface);
+                for (const Heights& draw : e.draws) ASSERT_GE(draw[i], lowest - 1e-9);
+            }
+        }
+}
+
 TEST(ClosedForm, flagsAProbeInsideTheRobotAndASceneUnlikeTraining)
 {
     const Scene& scene = bench().scenes.front();
@@ -207,6 +231,8 @@ TEST(Surface, goesBackAndForth)
         EXPECT_NEAR(toHeight(toSurface(h, -0.25), -0.25), h, 1e-12);
     EXPECT_NEAR(toHeight(toSurface(-0.2, -0.25), -0.25), -0.25 + kDeepestSinking, 1e-12);
     EXPECT_EQ(toHeight(-50.0, -0.25), -0.25 + kDeepestSinking);
+    EXPECT_EQ(toHeight(50.0, -0.25), -0.25 - kDeepestSurface);
+    EXPECT_EQ(toHeight(1000.0, -0.25), -0.25 - kDeepestSurface) << "sinh overflows";
     const double open = std::numeric_limits<double>::infinity();
     EXPECT_EQ(toHeight(toSurface(0.1, open), open), 0.1);
 }
