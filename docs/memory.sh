@@ -47,7 +47,7 @@ The method `trail` estimates a scene from its readings and from that memory. `co
   measured. A bin that earlier and present presses cover is *remembered*. It counts as felt for the verdict's horizon while dead reckoning
   adds at most 30 mm to its height, the robot has not turned aside by half a flipper's width, and an element ahead carries load now. One
   sd of slip is taken from both ends of each stretch. A suspected sensor ends it, and a robot without a heading remembers nothing felt. An
-  arm's reading moves its new bin; the bin is remembered if the arm's point, with its slip, lies within 30 mm of the bin's centre.
+  arm's reading moves its new bin, but does not make it felt: a fall may begin beside the point that the arm touched.
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of

@@ -34,9 +34,8 @@ struct TrailGround {
     std::array<double, kTrailBins> load{};
     std::array<double, kTrailBins>
         pressed{};  ///< mean height of these elements by load; 0 without load
-    /// Parts of these bins that the front flippers felt at earlier scenes (pressedStretches()), and
-    /// any bins that the arm measured there. Of the middle: where both sides were felt, if the robot
-    /// tells the sides apart.
+    /// Parts of these bins that the front flippers felt at earlier scenes (pressedStretches()). Of the
+    /// middle: where both sides were felt, if the robot tells the sides apart.
     FeltCells felt{};
     /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]; an sd
     /// of 0: none.

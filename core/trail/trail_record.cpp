@@ -65,7 +65,6 @@ void writeArmBin(TrailGround& ground, std::size_t bin,
     const auto surest = std::ranges::min_element(readings, {}, &TrailRecord::CarriedReading::sd);
     ground.armHeight[bin] = surest->height;
     ground.armSd[bin] = surest->sd;
-    if (surest->isNear) ground.felt[bin] = kAllCells;
 }
 
 /// Returns how far the ground beside a robot has moved sideways between two poses [m]. It is the
@@ -380,8 +379,7 @@ void TrailRecord::writeArm(TrailHistory& history, const Measurement& scene,
             if (bin < 0 || bin >= kBins) continue;
             const double away = std::abs(x - binCentre(bin)) + to->slip;
             readings[planeOf(reading.side)][static_cast<std::size_t>(bin)].push_back(
-                {reading.height + to->dz, std::hypot(reading.sd, to->sd, kArmSlope * away),
-                 away <= kArmWithin + kRounding});
+                {reading.height + to->dz, std::hypot(reading.sd, to->sd, kArmSlope * away)});
         }
     }
     for (std::size_t p = 0; p < kTrailPlanes; ++p)

@@ -27,12 +27,11 @@ public:
     static constexpr double kLength = 3.0;  ///< [m]
     /// A stretch felt earlier counts as felt while dead reckoning adds at most this sd to its heights
     /// [m], and while turning has moved it sideways by at most half a flipper's width. Both its ends
-    /// move inwards by one sd of the way since. A bin that the arm measured counts if its point, with
-    /// that sd, lies within kArmWithin of the bin's centre [m]. Readings of one bin that differ by more
-    /// than kArmContradiction of their sd leave the lower height, and the bin is not felt. A robot that
-    /// does not report its heading remembers nothing felt.
+    /// move inwards by one sd of the way since. The arm touched a point: its height is remembered, but
+    /// its bin is not felt by that, because a fall may begin beside the point. Readings of one bin that
+    /// differ by more than kArmContradiction of their sd leave the lower height, and the bin is not
+    /// felt. A robot that does not report its heading remembers nothing felt.
     static constexpr double kRememberedSd = 0.03;
-    static constexpr double kArmWithin = 0.03;
     static constexpr double kArmContradiction = 3.0;
     /// The ground between the arm's point and the bin's centre may rise or fall by this much.
     static constexpr double kArmSlope = 0.35;
@@ -41,7 +40,6 @@ public:
     /// A height that the arm measured earlier [m], as a later scene sees it.
     struct CarriedReading {
         double height = 0.0, sd = 0.0;
-        bool isNear = false;  ///< within kArmWithin of the bin's centre
     };
 
     explicit TrailRecord(const RobotModel& robot, const WayLimits& limits = {});

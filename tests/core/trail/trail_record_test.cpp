@@ -302,7 +302,7 @@ TEST_F(TrailRecordTest, AnArmReadingMovesWithTheGround)
     EXPECT_NEAR(history.ground[1].armHeight[9], -0.4, 1e-6) << "the later reading counts";
     EXPECT_GT(history.ground[1].armSd[9], 0.01);
     EXPECT_LT(history.ground[1].armSd[9], 0.02);
-    EXPECT_EQ(history.ground[1].felt[9], kAllCells);
+    EXPECT_EQ(history.ground[1].felt[9], 0) << "a point is no stretch: a fall may begin beside it";
     EXPECT_EQ(history.ground[1].armSd[10], 0.0);
     EXPECT_EQ(history.ground[0].armSd[9], 0.0) << "one plane takes readings in the middle";
     const TrailHistory other = record.before(line);
@@ -310,7 +310,6 @@ TEST_F(TrailRecordTest, AnArmReadingMovesWithTheGround)
     drive(0.04, 0.01);
     const TrailHistory beside = record.before(line);
     const TrailGround& ground = beside.ground[1];
-    EXPECT_EQ(ground.felt[9], 0) << "the arm's point lies 0.04 m beside the bin's centre";
     EXPECT_GT(ground.armSd[9], 0.014);
 }
 
