@@ -48,6 +48,9 @@ trap 'rm -f "$page"' EXIT
   echo
   echo "    terratact hazards --tracks --memory --drives $remembered"
   echo
+  echo 'First come drives that turn, reverse and probe (`app/modelling/manoeuvre_drives.h`). Their ground is known everywhere: a hazard lies across'
+  echo 'the way, or beside it, where a turned robot reaches it with a flipper and a straight one does not.'
+  echo
   echo '```'
   "$terratact" hazards --tracks --memory --drives "$remembered"
   echo '```'

@@ -333,9 +333,13 @@ void addHazards(CLI::App& app, Job& job)
     auto* tracks =
         c->add_flag("--tracks", o->tracks,
                     "Hazards on one side and on both, judged for left and right by local or joint");
-    c->add_flag("--memory", o->memory,
-                "Drives with telemetry on the way, judged by trail, and the same ones by local")
-        ->needs(tracks);
+    auto* memory =
+        c->add_flag("--memory", o->memory,
+                    "Drives with telemetry on the way, judged by trail, and the same ones by local")
+            ->needs(tracks);
+    c->add_flag("--manoeuvres", o->manoeuvres,
+                "With --memory: only the drives that turn, reverse and probe")
+        ->needs(memory);
     addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
     addMethod(*c, o->settings);
     c->callback([o, &job] {

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/modelling/hazard_trials.h"
+#include "app/modelling/manoeuvre_hazards.h"
 #include "app/modelling/track_hazards.h"
 #include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
@@ -11,9 +12,13 @@ namespace terratact {
 
 namespace {
 
-/// Prints the table of the same drives by Trail and by Local.
-void printRemembered(const EstimatorBundle& bundle, HazardTrial trial)
+/// Prints the table of the same drives by Trail and by Local, then that of drives that turn, reverse and probe.
+void printRemembered(const EstimatorBundle& bundle, HazardTrial trial, bool manoeuvresOnly)
 {
+    const std::string manoeuvres = manoeuvreTable(tryManoeuvres(bundle, trial));
+    printText("{}", Lines(manoeuvres));
+    if (manoeuvresOnly) return;
+    printText("\n");
     trial.remembers = true;
     for (const Method method : {Method::Trail, Method::Local}) {
         trial.settings.method = method;
@@ -45,7 +50,7 @@ Status judgeHazards(const HazardsOptions& options)
                 0};
         if (!(*bundle)->models.sides) return modelOfOnePlane(options.model);
         if (options.memory) {
-            printRemembered(**bundle, trial);
+            printRemembered(**bundle, trial, options.manoeuvres);
             return Done{};
         }
         const std::string sides = trackHazardTable(tryTrackHazards(**bundle, trial));

@@ -129,6 +129,7 @@ struct HazardsOptions {
     std::vector<double> rates;
     bool tracks = false;  ///< both sides, with hazards on one and on both, by the last rate
     bool memory = false;  ///< of tracks: drives with telemetry on the way, by Trail and by Local
+    bool manoeuvres = false;  ///< of memory: only drives that turn, reverse and probe
     Settings settings;
 };
 /// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).
