@@ -1,9 +1,11 @@
 #include "app/console/history_control.h"
 
+#include <cmath>
 #include <utility>
 
 #include "app/console/history_window.h"
 #include "app/console/past_text.h"
+#include "app/display/format.h"
 #include "app/mission/estimate_history.h"
 #include "app/mission/exploration.h"
 #include "app/pages/terrain_page.h"
@@ -81,8 +83,8 @@ void HistoryControl::showPresent()
 QString HistoryControl::banner() const
 {
     if (const PastEstimate* const laid = history_->entry(laid_))
-        return tr("Dashed in the picture: the past estimate of %1. Backspace takes it away")
-            .arg(PastText::time(*laid));
+        return tr("Dashed in the picture: the past estimate of %1%2. Backspace takes it away")
+            .arg(PastText::time(*laid), drivenSince_);
     const PastEstimate* const past = history_->entry(shown_);
     if (!past) return {};
     return tr("The picture shows the estimate of %1, not the present one. Backspace: the present")
@@ -98,6 +100,19 @@ bool HistoryControl::isOvertaken(const TerrainViewState& viewState) const
         || (viewState.estimate && standing_ != exploration_.estimation().revisions().estimate);
 }
 
+/// The picture shows a past estimate in the robot's frame of that time, so the banner tells what was driven since.
+void HistoryControl::showWaySince(const PastEstimate& past, const Measurement* now)
+{
+    constexpr double kStill = 0.005;  // [m]
+    const auto &then = past.scene.travelled, &here = now ? now->travelled : std::nullopt;
+    if (!then || !here)
+        drivenSince_ = tr(", not moved by what was driven since");
+    else if (const double way = *here - *then; std::abs(way) < kStill)
+        drivenSince_.clear();
+    else
+        drivenSince_ = tr(", not moved by the %1 driven since").arg(format::signedLength(way, 2));
+}
+
 void HistoryControl::apply(TerrainViewState& viewState)
 {
     const PastEstimate* const shown = history_->entry(shown_);
@@ -111,6 +126,7 @@ void HistoryControl::apply(TerrainViewState& viewState)
                           .sideTruth = &shown->sideTruth,
                           .note = PastText::note(*shown)};
     } else if (laid) {
+        showWaySince(*laid, viewState.measurement);
         viewState.second = {laid->estimate.get(), pastRevision(laid->number)};
         viewState.secondName = tr("past: estimate of %1").arg(PastText::time(*laid));
     }

@@ -12,6 +12,8 @@ class ConsoleWindow;
 class EstimateHistory;
 class Exploration;
 class HistoryWindow;
+struct Measurement;
+struct PastEstimate;
 struct TerrainViewState;
 
 /// Lets the operator look back at estimates of this run. It changes the terrain's picture alone: verdict, proposals,
@@ -41,6 +43,7 @@ signals:
 private:
     void show(std::int64_t number);
     void lay(std::int64_t number);
+    void showWaySince(const PastEstimate& past, const Measurement* now);
     bool isOvertaken(const TerrainViewState& viewState) const;
 
     Exploration& exploration_;
@@ -49,6 +52,7 @@ private:
     HistoryWindow* list_ = nullptr;
     std::int64_t shown_ = 0;      ///< number of the estimate in the picture; 0: the present
     std::int64_t laid_ = 0;       ///< number of the estimate laid over the present; 0: none
+    QString drivenSince_;         ///< part of the banner: since the estimate that is laid
     std::uint64_t standing_ = 0;  ///< revision of the present estimate when it was chosen
 };
 

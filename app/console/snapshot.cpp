@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
 #include "app/display/format.h"
@@ -74,21 +76,57 @@ SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc)
     return files;
 }
 
+struct SnapshotWriter::Shared {
+    std::mutex mutex;
+    std::condition_variable ended;
+    SnapshotWriter* owner = nullptr;  ///< null: gone
+    bool writes = false;
+};
+
+SnapshotWriter::SnapshotWriter(QObject* parent) : SnapshotWriter(writeSnapshot, kMaxWait, parent) {}
+
+SnapshotWriter::SnapshotWriter(Write write, std::chrono::milliseconds maxWait, QObject* parent)
+    : QObject(parent), write_(std::move(write)), maxWait_(maxWait),
+      shared_(std::make_shared<Shared>())
+{
+    shared_->owner = this;
+}
+
+SnapshotWriter::~SnapshotWriter()
+{
+    std::unique_lock lock(shared_->mutex);
+    shared_->owner = nullptr;
+    const bool hasEnded =
+        shared_->ended.wait_for(lock, maxWait_, [this] { return !shared_->writes; });
+    lock.unlock();
+    if (!thread_.joinable()) return;
+    if (hasEnded)
+        thread_.join();
+    else
+        thread_.detach();
+}
+
 bool SnapshotWriter::write(const SnapshotFiles& files, const QImage& picture, std::string numbers)
 {
     if (isWriting_) return false;
     isWriting_ = true;
-    // The last thread ends as soon as it has posted its result, so this waits for nothing.
-    thread_ = std::jthread([this, files, picture, numbers = std::move(numbers)] {
-        const QString trouble = writeSnapshot(files, picture, numbers);
-        QMetaObject::invokeMethod(
-            this,
-            [this, files, trouble] {
-                isWriting_ = false;
-                emit wrote(files, trouble);
-            },
-            Qt::QueuedConnection);
-    });
+    if (thread_.joinable()) thread_.join();  // it has posted its result and ends
+    shared_->writes = true;
+    thread_ = std::thread(
+        [shared = shared_, write = write_, files, picture, numbers = std::move(numbers)] {
+            const QString trouble = write(files, picture, numbers);
+            const std::lock_guard lock(shared->mutex);
+            shared->writes = false;
+            shared->ended.notify_all();
+            if (SnapshotWriter* const owner = shared->owner)
+                QMetaObject::invokeMethod(
+                    owner,
+                    [owner, files, trouble] {
+                        owner->isWriting_ = false;
+                        emit owner->wrote(files, trouble);
+                    },
+                    Qt::QueuedConnection);
+        });
     return true;
 }
 

@@ -3,7 +3,9 @@
 #include <QDialog>
 #include <QImage>
 #include <QString>
+#include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -27,11 +29,19 @@ struct SnapshotFiles {
 SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc);
 
 /// Writes snapshots, one at a time, in a thread of its own: a picture takes longer than a frame of the console, and a
-/// disk may be slow. No call waits for the thread; only the destructor does.
+/// disk may be slow. No call waits for the thread; the destructor waits for kMaxWait at most, so that a disk that hangs
+/// cannot keep the console open. What is not written by then is lost; no half file appears.
 class SnapshotWriter final : public QObject {
     Q_OBJECT
 public:
-    using QObject::QObject;
+    using Write = std::function<QString(const SnapshotFiles&, const QImage&, const std::string&)>;
+    static constexpr std::chrono::milliseconds kMaxWait{2000};
+
+    explicit SnapshotWriter(QObject* parent = nullptr);
+    /// write: writes both files and returns an error text.
+    explicit SnapshotWriter(Write write, std::chrono::milliseconds maxWait = kMaxWait,
+                            QObject* parent = nullptr);
+    ~SnapshotWriter() override;
     bool isWriting() const { return isWriting_; }
     /// Returns false, and writes nothing, while another snapshot is being written.
     bool write(const SnapshotFiles& files, const QImage& picture, std::string numbers);
@@ -41,8 +51,13 @@ signals:
     void wrote(const terratact::SnapshotFiles& files, const QString& trouble);
 
 private:
+    struct Shared;
+
     bool isWriting_ = false;
-    std::jthread thread_;
+    Write write_;
+    std::chrono::milliseconds maxWait_;
+    std::shared_ptr<Shared> shared_;  ///< with the thread, which may outlive this object
+    std::thread thread_;
 };
 
 /// Asks for the note of a snapshot. It blocks no window: the console goes on, and its keys are let go as it loses the

@@ -119,6 +119,7 @@ TEST_F(HistoryOf, anEstimateIsLaidOverThePresentWithALegend)
     EXPECT_FALSE(window->history().showsPast());
     EXPECT_TRUE(eventually([&] { return panel.stateLabel()->text().contains("lies over"); }));
     EXPECT_TRUE(eventually([&] { return says("Dashed in the picture: the past estimate"); }));
+    EXPECT_FALSE(says("driven since")) << "the robot stood still";
     EXPECT_FALSE(window->exploration().estimation().second()) << "it is no second method";
     keepPicture("laid");
     QTest::keyClick(panel.list(), Qt::Key_Backspace);

@@ -12,6 +12,8 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <future>
+#include <memory>
 
 #include "app/console/history_control.h"
 #include "app/console/history_window.h"
@@ -82,6 +84,23 @@ TEST(SnapshotWriter, leavesNothingOfASnapshotThatFails)
     EXPECT_FALSE(wrote.last().at(1).toString().isEmpty());
     EXPECT_EQ(QDir(QString::fromStdString(directory.file(""))).entryList(QDir::Files),
               QStringList());
+}
+
+TEST(SnapshotWriter, aDiskThatHangsDoesNotKeepTheConsoleOpen)
+{
+    std::promise<void> disk, ended;
+    std::shared_future<void> answers = disk.get_future().share();
+    auto writer = std::make_unique<SnapshotWriter>(
+        [answers, &ended](const SnapshotFiles&, const QImage&, const std::string&) {
+            answers.wait();
+            ended.set_value_at_thread_exit();
+            return QString();
+        },
+        std::chrono::milliseconds(1));
+    EXPECT_TRUE(writer->write({"/nowhere"}, QImage(), {}));
+    writer.reset();  // the test would hang here
+    disk.set_value();
+    ended.get_future().wait();
 }
 
 TEST(SnapshotNote, aTypedNoteIsKeptForItsOwnSnapshot)

@@ -8,6 +8,7 @@
 #include "tests/support/terrain_bench.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
+#include "widgets/terrain/contact_marks.h"
 #include "widgets/terrain/provenance_marks.h"
 #include "widgets/terrain/provenance_text.h"
 
@@ -70,6 +71,28 @@ int inkIn(const QImage& image, double x, double top)
             ink += std::abs(qGray(pixel) - qGray(theme().card.rgb())) > 50 ? 1 : 0;
         }
     return ink;
+}
+
+TEST_F(TerrainView, contactsAreRingsWithOneWord)
+{
+    const auto ringsOf = [this] { return gui::pixelsOf(painted(view), theme().felt.area); };
+    view.setContacts({});
+    const int before = ringsOf();
+    const ContactPoint left{{0.45, -0.1}, "L5"}, right{{0.45, -0.1}, "R5"};
+    view.setContacts({left, right, {{std::nan(""), 0.0}, "L6"}});
+    const ContactMarks* marks = nullptr;
+    for (const QwtPlotItem* item : view.itemList())
+        if (const auto* found = dynamic_cast<const ContactMarks*>(item)) marks = found;
+    ASSERT_TRUE(marks);
+    EXPECT_EQ(marks->words(), "CONTACT L5 R5") << "a place that cannot be drawn has no word";
+    EXPECT_GT(ringsOf(), before + 100);
+    const QImage image = painted(view);
+    const QPoint at = view.pixelOf(0.45, -0.1).toPoint();
+    EXPECT_EQ(image.pixelColor(at), theme().felt.text) << "the dot";
+    EXPECT_EQ(image.pixelColor(at + QPoint(5, 0)), theme().felt.area) << "the ring";
+    view.setContacts({});
+    EXPECT_EQ(marks->words(), "");
+    EXPECT_EQ(ringsOf(), before) << "nothing stays";
 }
 
 TEST_F(TerrainView, aLetterMarksTheOriginOfEveryBin)
