@@ -50,7 +50,8 @@ void MainWindow::applyPreferences(const Preferences& before)
     exploration_->setEstimateSeconds(now.estimateSeconds);
     exploration_->setProbePolicy(now.probes);
     exploration_->setAttitudeLimits(now.tilt());
-    if (now.robot != before.robot || now.language != before.language) reopen();
+    if (now.robot != before.robot || now.language != before.language || now.units != before.units)
+        reopen();
 }
 
 /// Takes the robot file of a dialog that may have been open since before arming.
@@ -65,7 +66,8 @@ void MainWindow::applyRobot(const QString& path)
 void MainWindow::reopen()
 {
     if (const auto why = whyNotReopening()) {
-        log({TR_NOOP("terratact::MainWindow", "robot and language change at the next start: %1"),
+        log({TR_NOOP("terratact::MainWindow",
+                     "robot, language and units change at the next start: %1"),
              *why},
             EventSeverity::Warning);
         return;

@@ -28,10 +28,10 @@ QString PastText::verdict(const PastEstimate& past)
 {
     if (!past.verdict) return tr("no verdict");
     const TwoTrackVerdict& verdict = *past.verdict;
-    const QString limit = format::number(past.stepLimit, 2);
+    const QString limit = format::length(past.stepLimit, 2);
     if (verdict.onePlane)
-        return tr("%1 for steps above %2 m").arg(VerdictStrip::answerOf(verdict.side[0]), limit);
-    return tr("%1 for steps above %2 m (left %3, right %4)")
+        return tr("%1 for steps above %2").arg(VerdictStrip::answerOf(verdict.side[0]), limit);
+    return tr("%1 for steps above %2 (left %3, right %4)")
         .arg(answerInWords(verdict.both), limit, VerdictStrip::answerOf(verdict.side[0]),
              VerdictStrip::answerOf(verdict.side[1]));
 }
@@ -47,14 +47,14 @@ QString PastText::error(const PastEstimate& past)
 {
     QStringList parts;
     if (past.errors.size() == 1)
-        parts << tr("error %1 m against the truth").arg(format::number(past.errors[0].rms, 3));
+        parts << tr("error %1 against the truth").arg(format::length(past.errors[0].rms, 3));
     else if (past.errors.size() == 2)
-        parts << tr("error left %1 m, right %2 m against the truth")
-                     .arg(format::number(past.errors[0].rms, 3),
-                          format::number(past.errors[1].rms, 3));
+        parts << tr("error left %1, right %2 against the truth")
+                     .arg(format::length(past.errors[0].rms, 3),
+                          format::length(past.errors[1].rms, 3));
     for (const PastEstimate::Probed& probed : past.probed)
-        parts << tr("error %1 m %2, measured later by the arm")
-                     .arg(format::number(probed.error, 3), placeText(probed.place));
+        parts << tr("error %1 %2, measured later by the arm")
+                     .arg(format::length(probed.error, 3), placeText(probed.place));
     return parts.isEmpty() ? tr("error not known") : parts.join(QStringLiteral(" · "));
 }
 

@@ -15,6 +15,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/display/units.h"
 #include "app/mission/method_text.h"
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
@@ -55,18 +56,9 @@ QString shippedInUseTip()
     return SettingsPage::tr("The shipped files are in use already");
 }
 
-QString languageTip()
+QString reopensTip()
 {
     return SettingsPage::tr("Restarts the console");
-}
-
-/// Returns one line per method.
-QString methodsTip()
-{
-    QStringList lines;
-    for (const Method method : offeredMethods())
-        lines << QStringLiteral("%1: %2").arg(format::text(name(method)), methodUses(method));
-    return lines.join(QLatin1Char('\n'));
 }
 
 QString defaultsTip()
@@ -175,6 +167,21 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, Pr
     return box;
 }
 
+QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, PreferenceRange range,
+                                     ShownIn quantity, const QString& tip,
+                                     double Preferences::*value)
+{
+    if (quantity == ShownIn::Angle) {
+        const bool isRadian = units().angle == AngleUnit::Radian;
+        return number(form, label, range, isRadian ? 3 : 1,
+                      isRadian ? QStringLiteral("rad") : QStringLiteral("°"), tip, value,
+                      isRadian ? 1.0 : kDegree);
+    }
+    const bool isCentimetre = units().length == LengthUnit::Centimetre;
+    return number(form, label, range, isCentimetre ? 0 : 2, format::lengthUnit(), tip, value,
+                  isCentimetre ? kPercent : 1.0);
+}
+
 QSpinBox* SettingsPage::whole(QFormLayout* form, const QString& label, int least, int most,
                               const QString& suffix, const QString& tip, int Preferences::*value)
 {
@@ -211,7 +218,7 @@ void SettingsPage::buildEstimate(QFormLayout* form)
     for (const Method method : offeredMethods()) methods << format::text(name(method));
     for (const QualityPreset preset : kQualityPresets) presets << translated(describe(preset));
     method_ = choice(
-        form, tr("Method"), methods, methodsTip(),
+        form, tr("Method"), methods, methodLines(offeredMethods()),
         [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
         [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
     auto* uses = new PlainLabel(this);
@@ -231,7 +238,7 @@ void SettingsPage::buildEstimate(QFormLayout* form)
                      tr("Sampling then ends with fewer draws, and the result says so"),
                      &Preferences::estimateSeconds);
     seconds_->setSpecialValueText(tr("no limit"));
-    obstacle_ = number(form, tr("An obstacle is a step above"), kObstacleRange, 2, tr("m"),
+    obstacle_ = number(form, tr("An obstacle is a step above"), kObstacleRange, ShownIn::Length,
                        tr("Step height that the verdict asks about (PgUp, PgDown)"),
                        &Preferences::obstacleLimit);
     threshold_ = number(form, tr("An element counts as contact above"), kForceRange, 1, tr("N"),
@@ -244,24 +251,27 @@ void SettingsPage::buildEstimate(QFormLayout* form)
            "step question, and only while it is open"),
         [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },
         [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
-    number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, 2, tr("m"),
+    number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, ShownIn::Length,
            tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
     number(
-        form, tr("Rate of hazards per 0.1 m of ground that is not felt"), kHazardRateRange, 1,
-        tr("%"),
+        form,
+        tr("Rate of hazards per %1 of ground that is not felt").arg(format::length(kBinWidth, 1)),
+        kHazardRateRange, 1, tr("%"),
         tr("Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers' "
            "reach; lower rates accept ground that the flippers span"),
         &Preferences::hazardRate, kPercent);
-    number(form, tr("The verdict is withheld above a roll of"), kRollRange, 1, tr("°"),
-           tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
-    number(form, tr("… or left and right flippers differ by"), kAsymmetryRange, 1, tr("°"),
-           tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
-    number(form, tr("Pitch or roll is steep from"), kTiltRange, 1, tr("°"),
-           tr("Amber alarm; at the latest 20° before the robot tips over"), &Preferences::tiltAmber,
-           kDegree);
-    number(form, tr("Pitch or roll is dangerous from"), kTiltRange, 1, tr("°"),
-           tr("Red alarm with sound; at the latest 10° before the robot tips over"),
-           &Preferences::tiltRed, kDegree);
+    number(form, tr("The verdict is withheld above a roll of"), kRollRange, ShownIn::Angle,
+           tr("Then left and right ground differ"), &Preferences::rollLimit);
+    number(form, tr("… or left and right flippers differ by"), kAsymmetryRange, ShownIn::Angle,
+           tr("Then left and right ground differ"), &Preferences::asymmetryLimit);
+    number(form, tr("Pitch or roll is steep from"), kTiltRange, ShownIn::Angle,
+           tr("Amber alarm; at the latest %1 before the robot tips over")
+               .arg(format::plainAngle(kAmberReserve, 0)),
+           &Preferences::tiltAmber);
+    number(form, tr("Pitch or roll is dangerous from"), kTiltRange, ShownIn::Angle,
+           tr("Red alarm with sound; at the latest %1 before the robot tips over")
+               .arg(format::plainAngle(kRedReserve, 0)),
+           &Preferences::tiltRed);
 }
 
 void SettingsPage::buildLook(QFormLayout* form)
@@ -283,8 +293,16 @@ void SettingsPage::buildLook(QFormLayout* form)
         form, tr("Language"),
         {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
          QStringLiteral("Deutsch")},
-        languageTip(), [](const Preferences& p) { return indexOf(kLanguages, p.language); },
+        reopensTip(), [](const Preferences& p) { return indexOf(kLanguages, p.language); },
         [](Preferences& p, std::size_t i) { p.language = kLanguages.at(i); });
+    lengths_ = choice(
+        form, tr("Lengths"), {tr("metres"), tr("centimetres")}, reopensTip(),
+        [](const Preferences& p) { return static_cast<int>(p.units.length); },
+        [](Preferences& p, std::size_t i) { p.units.length = static_cast<LengthUnit>(i); });
+    angles_ = choice(
+        form, tr("Angles"), {tr("degrees"), tr("radians")}, reopensTip(),
+        [](const Preferences& p) { return static_cast<int>(p.units.angle); },
+        [](Preferences& p, std::size_t i) { p.units.angle = static_cast<AngleUnit>(i); });
     choice(
         form, tr("Layout"), {tr("Drive"), tr("Probe"), tr("Review")},
         tr("What the terrain page makes large"),
@@ -410,7 +428,7 @@ void SettingsPage::setReopenBlocked(const QString& why)
     const bool own = !store_.current().robot.isEmpty();
     block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
     block(defaults_, defaultsTip());
-    block(language_, languageTip());
+    for (QComboBox* const box : {language_, lengths_, angles_}) block(box, reopensTip());
 }
 
 QString SettingsPage::modelCard() const

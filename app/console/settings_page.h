@@ -45,6 +45,8 @@ public:
     QPushButton* robotButton() const { return chooseRobot_; }
     QSpinBox* secondsBox() const { return seconds_; }
     QComboBox* languageBox() const { return language_; }
+    QComboBox* lengthsBox() const { return lengths_; }
+    QComboBox* anglesBox() const { return angles_; }
     QPushButton* defaultsButton() const { return defaults_; }
     QPushButton* filesButton() const { return files_; }
     QString modelCard() const;
@@ -69,6 +71,9 @@ private:
     QDoubleSpinBox* number(QFormLayout* form, const QString& label, PreferenceRange range,
                            int decimals, const QString& suffix, const QString& tip,
                            double Preferences::*value, double unit = 1.0);
+    enum class ShownIn { Length, Angle };  ///< units()
+    QDoubleSpinBox* number(QFormLayout* form, const QString& label, PreferenceRange range,
+                           ShownIn quantity, const QString& tip, double Preferences::*value);
     QSpinBox* whole(QFormLayout* form, const QString& label, int least, int most,
                     const QString& suffix, const QString& tip, int Preferences::*value);
     QCheckBox* flag(QFormLayout* form, const QString& text, const QString& tip,
@@ -91,6 +96,8 @@ private:
     QComboBox* theme_ = nullptr;
     QLabel* lettersNote_ = nullptr;
     QComboBox* language_ = nullptr;
+    QComboBox* lengths_ = nullptr;
+    QComboBox* angles_ = nullptr;
     QCheckBox* record_ = nullptr;
     QLabel* model_ = nullptr;
     QLabel* robot_ = nullptr;

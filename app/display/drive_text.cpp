@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <array>
-#include <numbers>
 
 #include "app/display/format.h"
 #include "app/display/place_text.h"
@@ -48,10 +47,8 @@ QString DriveText::level(AttitudeLevel level)
 
 QString DriveText::limits(const AttitudeLimits& limits)
 {
-    const auto whole = [](double angle) {
-        return format::number(angle * 180.0 / std::numbers::pi, 0) + QStringLiteral("°");
-    };
-    return QStringLiteral("! %1 ✘ %2").arg(whole(limits.amber), whole(limits.red));
+    return QStringLiteral("! %1 ✘ %2")
+        .arg(format::plainAngle(limits.amber, 0), format::plainAngle(limits.red, 0));
 }
 
 QString DriveText::contacts(const FlipperContacts& state)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "app/display/units.h"
 #include "core/base/text.h"
 #include "core/terrain/bins.h"
 
@@ -98,15 +99,29 @@ inline QString signedNumber(double value, int decimals)
     return std::isfinite(value) && !text.startsWith(QChar(0x2212)) ? QLatin1Char('+') + text : text;
 }
 
+/// Formats an angle in degrees whatever units() are: for a Message, which translated() converts.
 inline QString degrees(double radians, int decimals = 1)
 {
     return signedNumber(radians * 180.0 / std::numbers::pi, decimals) + QStringLiteral("°");
 }
 
-/// Returns the number in a bin's name: "0.6" in "bin 0.6 m".
+/// Formats a length in units(): "0.10 m" or "10 cm". decimals: those of metres.
+QString length(double metres, int decimals);
+QString signedLength(double metres, int decimals);  ///< a plus is shown, too
+
+/// Return the number of length() and its unit, for a range or a table.
+QString lengthNumber(double metres, int decimals);
+QString signedLengthNumber(double metres, int decimals);
+QString lengthUnit();
+
+/// Formats an angle in units(), without a plus: "20.0°" or "0.349 rad". decimals: those of degrees.
+QString plainAngle(double radians, int decimals = 1);
+QString angle(double radians, int decimals = 1);  ///< with its sign, also a plus
+
+/// Returns the place in a bin's name: "0.6 m" in "bin 0.6 m".
 inline QString binName(int bin)
 {
-    return number(binCentre(bin), 1) + QStringLiteral(" m");
+    return length(binCentre(bin), 1);
 }
 
 /// Formats a countdown as "0:24"; negative values count as 0.

@@ -48,7 +48,7 @@ QString binText(ProbePlace place)
 QString sidePlace(ProbePlace place)
 {
     const bool hasSide = place.side != ProbeSide::Middle;
-    return shortPlace(place) + (hasSide ? QStringLiteral(" m") : QString());
+    return shortPlace(place) + (hasSide ? QLatin1Char(' ') + format::lengthUnit() : QString());
 }
 
 QString shortPlace(ProbePlace place)
@@ -56,7 +56,7 @@ QString shortPlace(ProbePlace place)
     QString name = format::binName(place.bin);
     if (place.side == ProbeSide::Middle) return name;
     return sideLetter(place.side == ProbeSide::Left ? Side::Left : Side::Right) + QLatin1Char(' ')
-         + format::number(binCentre(place.bin), 1);
+         + format::lengthNumber(binCentre(place.bin), 1);
 }
 
 }  // namespace terratact

@@ -1,6 +1,9 @@
 #include "app/mission/method_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
+
+#include "app/display/format.h"
 
 namespace terratact {
 namespace {
@@ -29,6 +32,14 @@ QString methodUses(Method method)
         return MethodText::tr("uses what local uses, and the way before; closed form");
     }
     return {};
+}
+
+QString methodLines(const std::vector<Method>& methods)
+{
+    QStringList lines;
+    for (const Method method : methods)
+        lines << QStringLiteral("%1: %2").arg(format::text(name(method)), methodUses(method));
+    return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace terratact

@@ -34,9 +34,9 @@ QString ModelWords::card(const ModelFacts& facts)
     lines << tr("trained %1; ground: %2")
                  .arg(card.trained.empty() ? unknown : day(card.trained),
                       card.terrain.empty() ? unknown : format::text(card.terrain));
-    lines << tr("%1 scenes, %2 % with a step above %3 m; median relief %4 m")
+    lines << tr("%1 scenes, %2 % with a step above %3; median relief %4")
                  .arg(QString::number(facts.scenes), format::percent(facts.ground.stepShare),
-                      format::number(kStepLimit, 2), format::number(facts.ground.relief, 2));
+                      format::length(kStepLimit, 2), format::length(facts.ground.relief, 2));
     const auto shown = std::min<std::ptrdiff_t>(kShownScores, std::ssize(card.scores));
     for (auto s = card.scores.end() - shown; s != card.scores.end(); ++s) {
         lines << tr("%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6")

@@ -6,10 +6,19 @@
 #include "app/display/translated.h"
 
 namespace terratact {
+namespace {
+
+/// Returns a bin's place in metres: recordings hold the message, and translated() converts it.
+Message metresOf(int bin)
+{
+    return verbatim(format::number(binCentre(bin), 1) + QStringLiteral(" m"));
+}
+
+}  // namespace
 
 Message placeWords(ProbePlace place)
 {
-    const Message bin = verbatim(format::binName(place.bin));
+    const Message bin = metresOf(place.bin);
     switch (place.side) {
     case ProbeSide::Middle: return {TR_NOOP("terratact::Place", "at %1"), bin};
     case ProbeSide::Left: return {TR_NOOP("terratact::Place", "left at %1"), bin};
@@ -20,7 +29,7 @@ Message placeWords(ProbePlace place)
 
 Message placeName(ProbePlace place)
 {
-    if (place.side == ProbeSide::Middle) return verbatim(format::binName(place.bin));
+    if (place.side == ProbeSide::Middle) return metresOf(place.bin);
     return placeWords(place);
 }
 

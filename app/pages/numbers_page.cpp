@@ -104,13 +104,14 @@ void NumbersPage::refresh(double /*now*/)
     const TerrainEstimate& estimate = viewState.estimate->side[0];  // both have the same settings
     shownLimit_ = viewState.stepLimit;
     table_->setEstimate(*viewState.estimate, shownLimit_);
-    summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
-                         "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
-                         "column those to the next bin alone")
-                          .arg(format::text(name(estimate.settings.method)))
-                          .arg(estimate.draws.size())
-                          .arg(estimate.settings.seed)
-                          .arg(format::number(shownLimit_, 2)));
+    summary_->setText(
+        tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4. "
+           "The verdict's P counts steps over two bins (%5) anywhere ahead, the "
+           "column those to the next bin alone")
+            .arg(format::text(name(estimate.settings.method)))
+            .arg(estimate.draws.size())
+            .arg(estimate.settings.seed)
+            .arg(format::length(shownLimit_, 2), format::length(kStepBins * kBinWidth, 1)));
 }
 
 }  // namespace terratact

@@ -51,8 +51,8 @@ QString probeTells(const ProbeProposal& probe)
 {
     const QString place = placeText({probe.bin, probe.side});
     if (!probe.worth)
-        return TerrainPage::tr("probe %1: its height, ± %2 m instead of ± %3 m")
-            .arg(place, format::number(probe.armSd, 2), format::number(probe.sd, 2));
+        return TerrainPage::tr("probe %1: its height, ± %2 instead of ± %3")
+            .arg(place, format::length(probe.armSd, 2), format::length(probe.sd, 2));
     const QString bits = format::number(probe.bitsBefore, 2);
     return probe.informsOnStep() ? TerrainPage::tr("probe %1: %2 → %3 bit")
                                        .arg(place, bits, format::number(probe.worth->bitsAfter, 2))

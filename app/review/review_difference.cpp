@@ -56,11 +56,11 @@ QString sidesWords(const ReviewMoment& a, const ReviewMoment& b)
     return DifferenceWords::tr(
                "B − A: %1 s, pitch %2, roll %3, front left %4 right %5, rear left %6 "
                "right %7, forces left %8 right %9 N")
-        .arg(time, format::degrees(to.pitch - from.pitch), format::degrees(to.roll - from.roll),
-             format::degrees(to.frontLeft - from.frontLeft),
-             format::degrees(to.frontRight - from.frontRight),
-             format::degrees(to.rearLeft - from.rearLeft),
-             format::degrees(to.rearRight - from.rearRight), forcesWords(from, to, true),
+        .arg(time, format::angle(to.pitch - from.pitch), format::angle(to.roll - from.roll),
+             format::angle(to.frontLeft - from.frontLeft),
+             format::angle(to.frontRight - from.frontRight),
+             format::angle(to.rearLeft - from.rearLeft),
+             format::angle(to.rearRight - from.rearRight), forcesWords(from, to, true),
              forcesWords(from, to, false));
 }
 
@@ -82,9 +82,9 @@ QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
             1);
     return DifferenceWords::tr("B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N")
         .arg(format::signedNumber(secondsOf(b.time - a.time), 3),
-             format::degrees(known(second.pitch - first.pitch)),
-             format::degrees(known(second.front - first.front)),
-             format::degrees(known(second.rear - first.rear)), forces.join(QLatin1Char(' ')));
+             format::angle(known(second.pitch - first.pitch)),
+             format::angle(known(second.front - first.front)),
+             format::angle(known(second.rear - first.rear)), forces.join(QLatin1Char(' ')));
 }
 
 QString numbersCsv(const ReviewMoment& moment)

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "app/display/format.h"
@@ -107,8 +108,8 @@ QString SceneRows::text(std::size_t scene, int column) const
     case Number: return QString::number(scene + 1);
     case Drive: return format::shownName(row.run);
     case Time: return format::number(row.time, 2);
-    case Pitch: return format::degrees(row.s.pitch);
-    case Roll: return format::degrees(row.s.roll);
+    case Pitch: return format::angle(row.s.pitch);
+    case Roll: return format::angle(row.s.roll);
     case Truth: {
         const int known = knownHeights(row.truth);
         return known > 0 ? tr("%1 bins").arg(known) : tr("unknown");
@@ -207,8 +208,8 @@ void ScenesPage::resizeToFont()
     fit(SceneRows::Number, QStringLiteral("100000"));
     fit(SceneRows::Drive, QStringLiteral("a drive 1000"));
     fit(SceneRows::Time, QStringLiteral("10000.00"));
-    fit(SceneRows::Pitch, QStringLiteral("+10.0°"));
-    fit(SceneRows::Roll, QStringLiteral("+10.0°"));
+    fit(SceneRows::Pitch, format::angle(10.0 * std::numbers::pi / 180.0));
+    fit(SceneRows::Roll, format::angle(10.0 * std::numbers::pi / 180.0));
     fit(SceneRows::Truth, SceneRows::tr("%1 bins").arg(22));
     fit(SceneRows::Median, QStringLiteral("1000 mm"));
     fit(SceneRows::Mean, QStringLiteral("1000 mm"));

@@ -52,7 +52,9 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     result_->setAccessibleName(tr("What differs"));
     table_ = new HeadedTable(kBins, 8, card);
     table_->setAccessibleName(tr("Recorded estimate and what-if, bin by bin"));
-    table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
+    table_->setHorizontalHeaderLabels({tr("bin [%1]").arg(format::lengthUnit()),
+                                       tr("then [%1]").arg(format::lengthUnit()),
+                                       tr("now [%1]").arg(format::lengthUnit()), tr("by"),
                                        tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -329,17 +331,17 @@ void WhatIfPage::showAnswer()
         tone = Tone::Good;
     } else if (asRecorded && before.side[0].ending == Ending::Time) {
         text = tr("A time limit ended the recorded sampling, so it cannot be repeated bit for bit: "
-                  "%1 m at most, at bin %2.")
-                   .arg(format::number(found.largest(), 3), placeName(found));
+                  "%1 at most, at bin %2.")
+                   .arg(format::length(found.largest(), 3), placeName(found));
         tone = Tone::Doubt;
     } else if (asRecorded) {
-        text = tr("The recorded settings and model do NOT reproduce the recorded estimate: %1 m at "
+        text = tr("The recorded settings and model do NOT reproduce the recorded estimate: %1 at "
                   "most, at bin %2.")
-                   .arg(format::number(found.largest(), 6), placeName(found));
+                   .arg(format::length(found.largest(), 6), placeName(found));
         tone = Tone::Bad;
     } else {
-        text = tr("Differs from the recorded estimate by %1 m at most, at bin %2.")
-                   .arg(format::number(found.largest(), 3), placeName(found));
+        text = tr("Differs from the recorded estimate by %1 at most, at bin %2.")
+                   .arg(format::length(found.largest(), 3), placeName(found));
     }
     showStatus(text + QLatin1Char('\n') + verdictWords(found), tone);
     showBins(&found);
@@ -358,8 +360,8 @@ QString WhatIfPage::verdictWords(const Differences& found) const
         return QStringLiteral("%1 (%2 %)")
             .arg(translated(describe(verdict)), format::number(100.0 * p, 1));
     };
-    QString text = tr("Steps of more than %1 m: %2 then, %3 now.")
-                       .arg(format::number(recorded_->stepLimit, 2),
+    QString text = tr("Steps of more than %1: %2 then, %3 now.")
+                       .arg(format::length(recorded_->stepLimit, 2),
                             answer(found.before.both, found.before.either.p),
                             answer(found.after.both, found.after.either.p));
     if (found.onePlane) return text;

@@ -1,6 +1,7 @@
 #include "app/shell/number_box.h"
 
 #include <QDoubleSpinBox>
+#include <cmath>
 
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
@@ -12,7 +13,7 @@ QDoubleSpinBox* numberBox(QWidget* parent, const NumberBoxText& text)
     auto* box = new QDoubleSpinBox(parent);
     box->setDecimals(text.decimals);
     box->setRange(text.range.least / text.unit, text.range.most / text.unit);
-    box->setSingleStep(text.decimals == 2 ? 0.01 : text.decimals == 1 ? 0.1 : 1.0);
+    box->setSingleStep(std::pow(10.0, -text.decimals));
     box->setSuffix(QLatin1Char(' ') + text.suffix);
     box->setKeyboardTracking(false);
     box->setMinimumHeight(kTarget);

@@ -18,10 +18,12 @@ struct Described {
 
 constexpr bool kSafety = true;
 
-const std::array<Described, 29> kDescribed{
+const std::array<Described, 31> kDescribed{
     {{"theme", QT_TRANSLATE_NOOP("PreferenceText", "theme")},
      {"font-scale", QT_TRANSLATE_NOOP("PreferenceText", "size of text")},
      {"language", QT_TRANSLATE_NOOP("PreferenceText", "language")},
+     {"length-unit", QT_TRANSLATE_NOOP("PreferenceText", "unit of lengths")},
+     {"angle-unit", QT_TRANSLATE_NOOP("PreferenceText", "unit of angles")},
      {"layout", QT_TRANSLATE_NOOP("PreferenceText", "layout")},
      {"sound", QT_TRANSLATE_NOOP("PreferenceText", "alarms may be heard"), kSafety},
      {"contact-sound", QT_TRANSLATE_NOOP("PreferenceText", "sound of contacts")},
@@ -62,8 +64,8 @@ const Described* described(const QString& key)
 QString shownText(const PreferenceValue& value)
 {
     const QString unit = QLatin1String(value.unit);
-    if (unit == QLatin1String("rad"))
-        return format::number(value.text.toDouble() / kDegree, 1) + QStringLiteral("°");
+    if (unit == QLatin1String("rad")) return format::plainAngle(value.text.toDouble());
+    if (unit == QLatin1String("m")) return format::length(value.text.toDouble(), 2);
     if (!unit.isEmpty()) return value.text + QLatin1Char(' ') + unit;
     if (value.text == QLatin1String("true"))
         return QCoreApplication::translate("PreferenceText", "yes");

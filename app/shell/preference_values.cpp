@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast};
 constexpr std::array kLayouts{Layout::Drive, Layout::Probe, Layout::Review};
+constexpr std::array kLengthUnits{LengthUnit::Metre, LengthUnit::Centimetre};
+constexpr std::array kAngleUnits{AngleUnit::Degree, AngleUnit::Radian};
 const QStringList kLanguageCodes{QString(), "en", "cs", "de"};
 
 bool isPath(const QString& text)
@@ -236,6 +238,8 @@ void visitPreferences(Visitor visitor, Values& p)
     visitor.oneOf("theme", p.theme, kThemes);
     visitor.number("font-scale", p.fontScale, kSmallestFont, kLargestFont, "%");
     visitor.language("language", p.language);
+    visitor.oneOf("length-unit", p.units.length, kLengthUnits);
+    visitor.oneOf("angle-unit", p.units.angle, kAngleUnits);
     visitor.oneOf("layout", p.layout, kLayouts);
     visitor.flag("sound", p.sound);
     visitor.number("contact-sound", p.contactSound, 0, 100, "%");

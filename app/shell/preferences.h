@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/display/units.h"
 #include "app/link/pad_mapping.h"
 #include "core/atem/probe_policy.h"
 #include "core/base/message.h"
@@ -25,6 +26,7 @@ struct Preferences {
     ThemeName theme = ThemeName::Day;
     int fontScale = 100;  ///< [%] kSmallestFont … kLargestFont
     QString language;     ///< "en", "cs" or "de"; empty: the system's
+    Units units;          ///< of shown lengths and angles
     Layout layout = Layout::Probe;
     bool sound = true;              ///< alarms make sounds
     int contactSound = 50;          ///< [%] level of the ticks of contacts; 0: off

@@ -12,6 +12,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/display/units.h"
 #include "app/shell/console_window.h"
 #include "app/shell/text_sheet.h"
 #include "app/start/language.h"
@@ -82,6 +83,7 @@ Status Application::start(const Preferences& preferences, bool pictures)
     QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
     installLanguage(*application_, preferences.language);
+    setUnits(preferences.units);
     applyLook(*application_, preferences.theme, preferences.fontScale);
     return Done{};
 }

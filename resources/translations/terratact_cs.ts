@@ -388,12 +388,12 @@
 <context>
     <name>MeasuredLine</name>
     <message>
-        <source>%1 m apart · rise and slope unknown: not felt</source>
-        <translation>vzdálenost %1 m · převýšení a sklon neznámé: neohmatáno</translation>
+        <source>%1 apart · rise and slope unknown: not felt</source>
+        <translation>vzdálenost %1 · převýšení a sklon neznámé: neohmatáno</translation>
     </message>
     <message>
-        <source>%1 m apart · rise %2 m · slope %3</source>
-        <translation>vzdálenost %1 m · převýšení %2 m · sklon %3</translation>
+        <source>%1 apart · rise %2 · slope %3</source>
+        <translation>vzdálenost %1 · převýšení %2 · sklon %3</translation>
     </message>
     <message>
         <source>rear</source>
@@ -450,8 +450,8 @@
         <translation>naučen %1; terén: %2</translation>
     </message>
     <message>
-        <source>%1 scenes, %2 % with a step above %3 m; median relief %4 m</source>
-        <translation>%1 scén, %2 % z nich se schodem nad %3 m; střední převýšení %4 m</translation>
+        <source>%1 scenes, %2 % with a step above %3; median relief %4</source>
+        <translation>%1 scén, %2 % z nich se schodem nad %3; střední převýšení %4</translation>
     </message>
     <message>
         <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
@@ -666,12 +666,12 @@
         <translation>bez verdiktu</translation>
     </message>
     <message>
-        <source>%1 for steps above %2 m</source>
-        <translation>%1 pro schody nad %2 m</translation>
+        <source>%1 for steps above %2</source>
+        <translation>%1 pro schody nad %2</translation>
     </message>
     <message>
-        <source>%1 for steps above %2 m (left %3, right %4)</source>
-        <translation>%1 pro schody nad %2 m (vlevo %3, vpravo %4)</translation>
+        <source>%1 for steps above %2 (left %3, right %4)</source>
+        <translation>%1 pro schody nad %2 (vlevo %3, vpravo %4)</translation>
     </message>
     <message>
         <source>press and probe, method %1</source>
@@ -682,16 +682,16 @@
         <translation>přitlačení, metoda %1</translation>
     </message>
     <message>
-        <source>error %1 m against the truth</source>
-        <translation>chyba %1 m proti skutečnosti</translation>
+        <source>error %1 against the truth</source>
+        <translation>chyba %1 proti skutečnosti</translation>
     </message>
     <message>
-        <source>error left %1 m, right %2 m against the truth</source>
-        <translation>chyba vlevo %1 m, vpravo %2 m proti skutečnosti</translation>
+        <source>error left %1, right %2 against the truth</source>
+        <translation>chyba vlevo %1, vpravo %2 proti skutečnosti</translation>
     </message>
     <message>
-        <source>error %1 m %2, measured later by the arm</source>
-        <translation>chyba %1 m %2, později změřeno ramenem</translation>
+        <source>error %1 %2, measured later by the arm</source>
+        <translation>chyba %1 %2, později změřeno ramenem</translation>
     </message>
     <message>
         <source>error not known</source>
@@ -1028,6 +1028,14 @@
     <message>
         <source>gamepad: %1</source>
         <translation>gamepad: %1</translation>
+    </message>
+    <message>
+        <source>unit of lengths</source>
+        <translation>jednotka délek</translation>
+    </message>
+    <message>
+        <source>unit of angles</source>
+        <translation>jednotka úhlů</translation>
     </message>
 </context>
 <context>
@@ -1635,8 +1643,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
 <context>
     <name>TwoTrackVerdict</name>
     <message>
-        <source>%1 at %2 m</source>
-        <translation>%1 v %2 m</translation>
+        <source>%1 at %2</source>
+        <translation>%1 v %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1671,20 +1679,20 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>vlevo %1 · vpravo %2</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m) L %2, R %3</source>
-        <translation>P(schod &gt; %1 m) L %2, P %3</translation>
+        <source>P(step &gt; %1) L %2, R %3</source>
+        <translation>P(schod &gt; %1) L %2, P %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m, L or R) = %2</source>
-        <translation>P(schod &gt; %1 m, L nebo P) = %2</translation>
+        <source>P(step &gt; %1, L or R) = %2</source>
+        <translation>P(schod &gt; %1, L nebo P) = %2</translation>
     </message>
     <message>
-        <source>cross slope %1° of %2°, %3 up</source>
-        <translation>příčný sklon %1° z %2°, %3 výš</translation>
+        <source>cross slope %1 of %2, %3 up</source>
+        <translation>příčný sklon %1 z %2, %3 výš</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m, L or R): %2</source>
-        <translation>P(schod &gt; %1 m, L nebo P): %2</translation>
+        <source>P(step &gt; %1, L or R): %2</source>
+        <translation>P(schod &gt; %1, L nebo P): %2</translation>
     </message>
 </context>
 <context>
@@ -6275,8 +6283,8 @@ F1</translation>
         <translation>Ukončí odhad i průzkum</translation>
     </message>
     <message>
-        <source>Known to ± %1 m, widest at %2</source>
-        <translation>Známo na ± %1 m, nejhůř v %2</translation>
+        <source>Known to ± %1, widest at %2</source>
+        <translation>Známo na ± %1, nejhůř v %2</translation>
     </message>
     <message>
         <source>%1 · %2 draws · %3</source>
@@ -6291,8 +6299,8 @@ F1</translation>
         <translation>odhad %p %</translation>
     </message>
     <message>
-        <source>Uncertain at %1: ± %2 m</source>
-        <translation>Nejisté v %1: ± %2 m</translation>
+        <source>Uncertain at %1: ± %2</source>
+        <translation>Nejisté v %1: ± %2</translation>
     </message>
     <message>
         <source>ended: converged</source>
@@ -6855,16 +6863,24 @@ F1</translation>
         <translation>obraz znovu ukazuje současný odhad</translation>
     </message>
     <message>
-        <source>Dashed in the picture: the past estimate of %1. Backspace takes it away</source>
-        <translation>Čárkovaně v obraze: minulý odhad z %1. Backspace jej odebere</translation>
-    </message>
-    <message>
         <source>The picture shows the estimate of %1, not the present one. Backspace: the present</source>
         <translation>Obraz ukazuje odhad z %1, ne současný. Backspace: současný</translation>
     </message>
     <message>
         <source>past: estimate of %1</source>
         <translation>minulý: odhad z %1</translation>
+    </message>
+    <message>
+        <source>Dashed in the picture: the past estimate of %1%2. Backspace takes it away</source>
+        <translation>Čárkovaně v obraze: minulý odhad z %1%2. Backspace ho odebere</translation>
+    </message>
+    <message>
+        <source>, not moved by what was driven since</source>
+        <translation>, neposunutý o jízdu od té doby</translation>
+    </message>
+    <message>
+        <source>, not moved by the %1 driven since</source>
+        <translation>, neposunutý o %1 ujeté od té doby</translation>
     </message>
 </context>
 <context>
@@ -7287,10 +7303,6 @@ F1</translation>
         <translation>otevře konzoli znovu</translation>
     </message>
     <message>
-        <source>robot and language change at the next start: %1</source>
-        <translation>robot a jazyk se změní při příštím spuštění: %1</translation>
-    </message>
-    <message>
         <source>not marked: nothing is recorded</source>
         <translation>neoznačeno: nic se nezaznamenává</translation>
     </message>
@@ -7446,6 +7458,10 @@ F1</translation>
         <source>Export the strip of felt ground …</source>
         <translation>Exportovat pás ohmataného terénu …</translation>
     </message>
+    <message>
+        <source>robot, language and units change at the next start: %1</source>
+        <translation>robot, jazyk a jednotky se změní při příštím spuštění: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -7485,8 +7501,8 @@ F1</translation>
         <translation>zkopírovat čísla, na jejich stránce</translation>
     </message>
     <message>
-        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. The verdict&apos;s P counts steps over two bins (0.2 m) anywhere ahead, the column those to the next bin alone</source>
-        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4 m. P verdiktu počítá schody přes dva úseky (0.2 m) kdekoli vpředu, sloupec jen ty k dalšímu úseku</translation>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4. The verdict&apos;s P counts steps over two bins (%5) anywhere ahead, the column those to the next bin alone</source>
+        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4. P verdiktu počítá schody přes dva úseky (%5) kdekoli vpředu, sloupec jen ty k dalšímu úseku</translation>
     </message>
 </context>
 <context>
@@ -7496,28 +7512,28 @@ F1</translation>
         <translation>Scéna v číslech</translation>
     </message>
     <message>
-        <source>bin [m]</source>
-        <translation>bod [m]</translation>
+        <source>bin [%1]</source>
+        <translation>bod [%1]</translation>
     </message>
     <message>
-        <source>height [m]</source>
-        <translation>výška [m]</translation>
+        <source>height [%1]</source>
+        <translation>výška [%1]</translation>
     </message>
     <message>
-        <source>sd [m]</source>
-        <translation>sd [m]</translation>
+        <source>sd [%1]</source>
+        <translation>sd [%1]</translation>
     </message>
     <message>
-        <source>10 % [m]</source>
-        <translation>10 % [m]</translation>
+        <source>10 % [%1]</source>
+        <translation>10 % [%1]</translation>
     </message>
     <message>
-        <source>90 % [m]</source>
-        <translation>90 % [m]</translation>
+        <source>90 % [%1]</source>
+        <translation>90 % [%1]</translation>
     </message>
     <message>
-        <source>ceiling [m]</source>
-        <translation>strop [m]</translation>
+        <source>ceiling [%1]</source>
+        <translation>strop [%1]</translation>
     </message>
     <message>
         <source>from</source>
@@ -7544,10 +7560,6 @@ F1</translation>
         <translation>%1 (%2 %) nebo %3 (%4 %)</translation>
     </message>
     <message>
-        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
-        <translation>P schodu jen k dalšímu úseku; P verdiktu počítá schody do 0.2 m, tedy přes dva úseky, a kdekoli vpředu</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>ano</translation>
     </message>
@@ -7566,6 +7578,10 @@ F1</translation>
     <message>
         <source>side</source>
         <translation>strana</translation>
+    </message>
+    <message>
+        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
+        <translation>P schodu jen k dalšímu úseku; P verdiktu počítá schody do %1, tedy přes dva úseky, a kdekoli vpředu</translation>
     </message>
 </context>
 <context>
@@ -7976,16 +7992,16 @@ F1</translation>
         <translation>Průběh sondy</translation>
     </message>
     <message>
-        <source>%1 m ± %2 m (sd)</source>
-        <translation>%1 m ± %2 m (sd)</translation>
+        <source>%1 ± %2 (sd)</source>
+        <translation>%1 ± %2 (sd)</translation>
     </message>
     <message>
-        <source>%1 … %2 m</source>
-        <translation>%1 … %2 m</translation>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
     </message>
     <message>
-        <source>this bin to ± %1 m</source>
-        <translation>tento bod na ± %1 m</translation>
+        <source>this bin to ± %1</source>
+        <translation>tento bod na ± %1</translation>
     </message>
     <message>
         <source>≈ %1 s, arm out in smoke</source>
@@ -8016,8 +8032,8 @@ F1</translation>
         <translation>Odmítne rameno; odpověď stejně dobrá jako jiná</translation>
     </message>
     <message>
-        <source>step &gt; %1 m</source>
-        <translation>schod &gt; %1 m</translation>
+        <source>step &gt; %1</source>
+        <translation>schod &gt; %1</translation>
     </message>
     <message>
         <source>total variance %1 %</source>
@@ -8048,8 +8064,8 @@ F1</translation>
         <translation>Zda je sonda potřeba</translation>
     </message>
     <message>
-        <source>80 % in %1 … %2 m</source>
-        <translation>80 % v %1 … %2 m</translation>
+        <source>80 % in %1 … %2</source>
+        <translation>80 % v %1 … %2</translation>
     </message>
     <message>
         <source>%1 for %2 s</source>
@@ -8104,8 +8120,8 @@ F1</translation>
         <translation>neplatí</translation>
     </message>
     <message>
-        <source>%1: %2 ± %3 m</source>
-        <translation>%1: %2 ± %3 m</translation>
+        <source>%1: %2 ± %3</source>
+        <translation>%1: %2 ± %3</translation>
     </message>
     <message>
         <source>Ask for %1 instead: total variance %2 %, step ahead to %3 bit</source>
@@ -9844,10 +9860,6 @@ F1</translation>
         <translation>Překážka je schod nad</translation>
     </message>
     <message>
-        <source>m</source>
-        <translation>m</translation>
-    </message>
-    <message>
         <source>Step height that the verdict asks about (PgUp, PgDown)</source>
         <translation>Otázka verdiktu (PgUp, PgDown)</translation>
     </message>
@@ -9874,10 +9886,6 @@ F1</translation>
     <message>
         <source>The verdict is withheld above a roll of</source>
         <translation>Verdikt se zadrží od náklonu</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
     </message>
     <message>
         <source>Then left and right ground differ</source>
@@ -10096,10 +10104,6 @@ F1</translation>
         <translation>Dokud není zaškrtnuto, konzole jen říká, co by smazala</translation>
     </message>
     <message>
-        <source>Rate of hazards per 0.1 m of ground that is not felt</source>
-        <translation>Četnost nebezpečí na 0.1 m, které nic neohmatalo</translation>
-    </message>
-    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -10112,16 +10116,8 @@ F1</translation>
         <translation>Náklon je strmý od</translation>
     </message>
     <message>
-        <source>Amber alarm; at the latest 20° before the robot tips over</source>
-        <translation>Žlutý poplach; v každém případě 20° před překlopením</translation>
-    </message>
-    <message>
         <source>Pitch or roll is dangerous from</source>
         <translation>Náklon je nebezpečný od</translation>
-    </message>
-    <message>
-        <source>Red alarm with sound; at the latest 10° before the robot tips over</source>
-        <translation>Červený poplach se zvukem; v každém případě 10° před překlopením</translation>
     </message>
     <message>
         <source>Press again to reset all settings</source>
@@ -10158,6 +10154,42 @@ F1</translation>
     <message>
         <source>What the method uses</source>
         <translation>Co metoda užívá</translation>
+    </message>
+    <message>
+        <source>Rate of hazards per %1 of ground that is not felt</source>
+        <translation>Četnost nebezpečí na %1, které nic neohmatalo</translation>
+    </message>
+    <message>
+        <source>Amber alarm; at the latest %1 before the robot tips over</source>
+        <translation>Žlutý poplach; v každém případě %1 před překlopením</translation>
+    </message>
+    <message>
+        <source>Red alarm with sound; at the latest %1 before the robot tips over</source>
+        <translation>Červený poplach se zvukem; v každém případě %1 před překlopením</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Délky</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metry</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimetry</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Úhly</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>stupně</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>radiány</translation>
     </message>
 </context>
 <context>
@@ -10675,8 +10707,8 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Síly vzadu</translation>
     </message>
     <message>
-        <source>probe %1: its height, ± %2 m instead of ± %3 m</source>
-        <translation>sonda %1: její výška, ± %2 m místo ± %3 m</translation>
+        <source>probe %1: its height, ± %2 instead of ± %3</source>
+        <translation>sonda %1: její výška, ± %2 místo ± %3</translation>
     </message>
     <message>
         <source>probe %1: %2 → %3 bit</source>
@@ -10710,20 +10742,20 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Zatím bez odhadu</translation>
     </message>
     <message>
-        <source>forward from the IMU [m]</source>
-        <translation>vpřed od IMU [m]</translation>
+        <source>forward from the IMU [%1]</source>
+        <translation>vpřed od IMU [%1]</translation>
     </message>
     <message>
-        <source>height [m]</source>
-        <translation>výška [m]</translation>
+        <source>height [%1]</source>
+        <translation>výška [%1]</translation>
     </message>
     <message>
         <source>IMU</source>
         <translation>IMU</translation>
     </message>
     <message>
-        <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
-        <translation>bod %1: %2 m, 80 % v %3 … %4, %5</translation>
+        <source>bin %1: %2, 80 % in %3 … %4, %5</source>
+        <translation>bod %1: %2, 80 % v %3 … %4, %5</translation>
     </message>
     <message>
         <source>draws</source>
@@ -10746,28 +10778,28 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>bod %1</translation>
     </message>
     <message>
-        <source>height %1 m ± %2 m</source>
-        <translation>výška %1 m ± %2 m</translation>
+        <source>height %1 ± %2</source>
+        <translation>výška %1 ± %2</translation>
     </message>
     <message>
-        <source>80 % in %1 … %2 m</source>
-        <translation>80 % v %1 … %2 m</translation>
+        <source>80 % in %1 … %2</source>
+        <translation>80 % v %1 … %2</translation>
     </message>
     <message>
-        <source>ceiling %1 m</source>
-        <translation>strop %1 m</translation>
+        <source>ceiling %1</source>
+        <translation>strop %1</translation>
     </message>
     <message>
         <source>no part of the robot above it</source>
         <translation>nad ním nic z robotu</translation>
     </message>
     <message>
-        <source>either %1 m (%2 %)</source>
-        <translation>buď %1 m (%2 %)</translation>
+        <source>either %1 (%2 %)</source>
+        <translation>buď %1 (%2 %)</translation>
     </message>
     <message>
-        <source>or %1 m (%2 %)</source>
-        <translation>nebo %1 m (%2 %)</translation>
+        <source>or %1 (%2 %)</source>
+        <translation>nebo %1 (%2 %)</translation>
     </message>
     <message>
         <source>as of %1 ago</source>
@@ -10790,16 +10822,16 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>hrot ramene</translation>
     </message>
     <message>
-        <source>forward, height [m]</source>
-        <translation>vpřed, výška [m]</translation>
+        <source>forward, height [%1]</source>
+        <translation>vpřed, výška [%1]</translation>
     </message>
     <message>
         <source>from: %1 (%2)</source>
         <translation>z: %1 (%2)</translation>
     </message>
     <message>
-        <source>felt to %1 m</source>
-        <translation>ohmatáno do %1 m</translation>
+        <source>felt to %1</source>
+        <translation>ohmatáno do %1</translation>
     </message>
     <message>
         <source>touch: %1</source>
@@ -10810,20 +10842,20 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>úsek %1: %2</translation>
     </message>
     <message>
-        <source>%1: height %2 m ± %3 m</source>
-        <translation>%1: výška %2 m ± %3 m</translation>
+        <source>%1: height %2 ± %3</source>
+        <translation>%1: výška %2 ± %3</translation>
     </message>
     <message>
         <source>remembered</source>
         <translation>zapamatováno</translation>
     </message>
     <message>
-        <source>remembered ± %1 cm</source>
-        <translation>zapamatováno ± %1 cm</translation>
+        <source>remembered ± %1</source>
+        <translation>zapamatováno ± %1</translation>
     </message>
     <message>
-        <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
-        <translation>zapamatovaný terén · od té doby ujeto %1 m · výšky ± %2 cm</translation>
+        <source>remembered ground · %1 driven since · heights ± %2</source>
+        <translation>zapamatovaný terén · od té doby ujeto %1 · výšky ± %2</translation>
     </message>
     <message>
         <source>free point</source>
@@ -11276,8 +11308,8 @@ vpředu</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>most likely at %1 … %2 m (%3)</source>
-        <translation>nejspíš v %1 … %2 m (%3)</translation>
+        <source>most likely at %1 … %2 (%3)</source>
+        <translation>nejspíš v %1 … %2 (%3)</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -11312,8 +11344,8 @@ vpředu</translation>
         <translation>✔ VOLNO</translation>
     </message>
     <message>
-        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
-        <translation>do 0.75 m před IMU, riziko pod %1 %</translation>
+        <source>up to %2 ahead of the IMU, at a risk below %1 %</source>
+        <translation>do %2 před IMU, riziko pod %1 %</translation>
     </message>
     <message>
         <source>✘ BLOCKED</source>
@@ -11332,8 +11364,8 @@ vpředu</translation>
         <translation>BEZ VERDIKTU</translation>
     </message>
     <message>
-        <source>Is there a step of more than %1 m ahead?</source>
-        <translation>Je vpředu schod vyšší než %1 m?</translation>
+        <source>Is there a step of more than %1 ahead?</source>
+        <translation>Je vpředu schod vyšší než %1?</translation>
     </message>
     <message>
         <source>not decided (CLEAR below %1, BLOCKED above %2); %3</source>
@@ -11360,32 +11392,32 @@ vpředu</translation>
         <translation>flippery se liší</translation>
     </message>
     <message>
-        <source>%1 m is the lowest limit</source>
-        <translation>Nižší mez než %1 m nelze nastavit</translation>
+        <source>%1 is the lowest limit</source>
+        <translation>Nižší mez než %1 nelze nastavit</translation>
     </message>
     <message>
-        <source>%1 m is the highest limit</source>
-        <translation>Vyšší mez než %1 m nelze nastavit</translation>
+        <source>%1 is the highest limit</source>
+        <translation>Vyšší mez než %1 nelze nastavit</translation>
     </message>
     <message>
         <source>the link was lost</source>
         <translation>spojení bylo ztraceno</translation>
     </message>
     <message>
-        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
-        <translation>do 0.75 m před IMU, riziko pod %1 %, ale neohmatáno: %2</translation>
+        <source>up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
+        <translation>do %3 před IMU, riziko pod %1 %, ale neohmatáno: %2</translation>
     </message>
     <message>
-        <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
-        <translation>Schod: dva úseky nejvýše %3 m od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 m před IMU</translation>
+        <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
+        <translation>Schod: dva úseky nejvýše %3 od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 před IMU</translation>
     </message>
     <message>
-        <source>felt to %1 m ahead of the IMU, risk below %2 %</source>
-        <translation>ohmatáno do %1 m před IMU, riziko pod %2 %</translation>
+        <source>felt to %1 ahead of the IMU, risk below %2 %</source>
+        <translation>ohmatáno do %1 před IMU, riziko pod %2 %</translation>
     </message>
     <message>
-        <source>felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3</source>
-        <translation>ohmatáno do %1 m před IMU, riziko pod %2 %; neohmatáno: %3</translation>
+        <source>felt to %1 ahead of the IMU, risk below %2 %; not felt: %3</source>
+        <translation>ohmatáno do %1 před IMU, riziko pod %2 %; neohmatáno: %3</translation>
     </message>
     <message>
         <source>%1; not felt: %2</source>
@@ -11396,12 +11428,12 @@ vpředu</translation>
         <translation>%1. Pomůže: %2</translation>
     </message>
     <message>
-        <source>✔ CLEAR to %1 m</source>
-        <translation>✔ VOLNO do %1 m</translation>
+        <source>✔ CLEAR to %1</source>
+        <translation>✔ VOLNO do %1</translation>
     </message>
     <message>
-        <source>to %1 m</source>
-        <translation>do %1 m</translation>
+        <source>to %1</source>
+        <translation>do %1</translation>
     </message>
     <message>
         <source>a sensor may be wrong</source>
@@ -11416,8 +11448,8 @@ vpředu</translation>
         <translation>flippery na nic netlačí</translation>
     </message>
     <message>
-        <source>felt to %1 m only</source>
-        <translation>ohmatáno jen do %1 m</translation>
+        <source>felt to %1 only</source>
+        <translation>ohmatáno jen do %1</translation>
     </message>
     <message>
         <source>not felt under the flippers</source>
@@ -11426,10 +11458,6 @@ vpředu</translation>
     <message>
         <source>, flatter flippers help</source>
         <translation>, pomohou plošší flippery</translation>
-    </message>
-    <message>
-        <source>, 0.1 m further helps</source>
-        <translation>, pomůže o 0.1 m dál</translation>
     </message>
     <message>
         <source>not decided; %1</source>
@@ -11444,20 +11472,24 @@ vpředu</translation>
         <translation>Verdikt každé strany</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m): %3</source>
-        <translation>P(schod &gt; %1 m do %2 m): %3</translation>
+        <source>P(step &gt; %1 to %2): %3</source>
+        <translation>P(schod &gt; %1 do %2): %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m) = %3</source>
-        <translation>P(schod &gt; %1 m do %2 m) = %3</translation>
+        <source>P(step &gt; %1 to %2) = %3</source>
+        <translation>P(schod &gt; %1 do %2) = %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m ahead): %2</source>
-        <translation>P(schod &gt; %1 m vpředu): %2</translation>
+        <source>P(step &gt; %1 ahead): %2</source>
+        <translation>P(schod &gt; %1 vpředu): %2</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m ahead) = %2</source>
-        <translation>P(schod &gt; %1 m vpředu) = %2</translation>
+        <source>P(step &gt; %1 ahead) = %2</source>
+        <translation>P(schod &gt; %1 vpředu) = %2</translation>
+    </message>
+    <message>
+        <source>, %1 further helps</source>
+        <translation>, pomůže o %1 dál</translation>
     </message>
 </context>
 <context>
@@ -11522,16 +11554,16 @@ vpředu</translation>
         <translation>Zaznamenaný odhad a ten druhý, po dílcích</translation>
     </message>
     <message>
-        <source>bin [m]</source>
-        <translation>bod [m]</translation>
+        <source>bin [%1]</source>
+        <translation>bod [%1]</translation>
     </message>
     <message>
-        <source>then [m]</source>
-        <translation>tehdy [m]</translation>
+        <source>then [%1]</source>
+        <translation>tehdy [%1]</translation>
     </message>
     <message>
-        <source>now [m]</source>
-        <translation>nyní [m]</translation>
+        <source>now [%1]</source>
+        <translation>nyní [%1]</translation>
     </message>
     <message>
         <source>by</source>
@@ -11654,16 +11686,16 @@ vpředu</translation>
         <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad až na poslední bity, které jiný procesor nebo verze zaokrouhluje jinak: žádné číslo se neposune o více než milióntinu.</translation>
     </message>
     <message>
-        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
-        <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1 m, v dílci %2.</translation>
+        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 at most, at bin %2.</source>
+        <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1, v dílci %2.</translation>
     </message>
     <message>
-        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 m at most, at bin %2.</source>
-        <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1 m, v dílci %2.</translation>
+        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 at most, at bin %2.</source>
+        <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1, v dílci %2.</translation>
     </message>
     <message>
-        <source>Differs from the recorded estimate by %1 m at most, at bin %2.</source>
-        <translation>Liší se od zobrazeného nejvýše o %1 m, v dílci %2.</translation>
+        <source>Differs from the recorded estimate by %1 at most, at bin %2.</source>
+        <translation>Liší se od zobrazeného nejvýše o %1, v dílci %2.</translation>
     </message>
     <message>
         <source>Estimate again (E)</source>
@@ -11690,8 +11722,8 @@ vpředu</translation>
         <translation>%1 vpravo</translation>
     </message>
     <message>
-        <source>Steps of more than %1 m: %2 then, %3 now.</source>
-        <translation>Stupně přes %1 m: tehdy %2, nyní %3.</translation>
+        <source>Steps of more than %1: %2 then, %3 now.</source>
+        <translation>Stupně přes %1: tehdy %2, nyní %3.</translation>
     </message>
     <message>
         <source>Left: %1 then, %2 now.</source>

@@ -388,12 +388,12 @@
 <context>
     <name>MeasuredLine</name>
     <message>
-        <source>%1 m apart · rise and slope unknown: not felt</source>
-        <translation>Abstand %1 m · Anstieg und Neigung unbekannt: nicht ertastet</translation>
+        <source>%1 apart · rise and slope unknown: not felt</source>
+        <translation>Abstand %1 · Anstieg und Neigung unbekannt: nicht ertastet</translation>
     </message>
     <message>
-        <source>%1 m apart · rise %2 m · slope %3</source>
-        <translation>Abstand %1 m · Anstieg %2 m · Neigung %3</translation>
+        <source>%1 apart · rise %2 · slope %3</source>
+        <translation>Abstand %1 · Anstieg %2 · Neigung %3</translation>
     </message>
     <message>
         <source>rear</source>
@@ -450,8 +450,8 @@
         <translation>gelernt %1; Gelände: %2</translation>
     </message>
     <message>
-        <source>%1 scenes, %2 % with a step above %3 m; median relief %4 m</source>
-        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3 m; mittlerer Höhenunterschied %4 m</translation>
+        <source>%1 scenes, %2 % with a step above %3; median relief %4</source>
+        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3; mittlerer Höhenunterschied %4</translation>
     </message>
     <message>
         <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
@@ -666,12 +666,12 @@
         <translation>kein Urteil</translation>
     </message>
     <message>
-        <source>%1 for steps above %2 m</source>
-        <translation>%1 für Stufen über %2 m</translation>
+        <source>%1 for steps above %2</source>
+        <translation>%1 für Stufen über %2</translation>
     </message>
     <message>
-        <source>%1 for steps above %2 m (left %3, right %4)</source>
-        <translation>%1 für Stufen über %2 m (links %3, rechts %4)</translation>
+        <source>%1 for steps above %2 (left %3, right %4)</source>
+        <translation>%1 für Stufen über %2 (links %3, rechts %4)</translation>
     </message>
     <message>
         <source>press and probe, method %1</source>
@@ -682,16 +682,16 @@
         <translation>Andrücken, Methode %1</translation>
     </message>
     <message>
-        <source>error %1 m against the truth</source>
-        <translation>Fehler %1 m gegen die Wahrheit</translation>
+        <source>error %1 against the truth</source>
+        <translation>Fehler %1 gegen die Wahrheit</translation>
     </message>
     <message>
-        <source>error left %1 m, right %2 m against the truth</source>
-        <translation>Fehler links %1 m, rechts %2 m gegen die Wahrheit</translation>
+        <source>error left %1, right %2 against the truth</source>
+        <translation>Fehler links %1, rechts %2 gegen die Wahrheit</translation>
     </message>
     <message>
-        <source>error %1 m %2, measured later by the arm</source>
-        <translation>Fehler %1 m %2, später vom Arm gemessen</translation>
+        <source>error %1 %2, measured later by the arm</source>
+        <translation>Fehler %1 %2, später vom Arm gemessen</translation>
     </message>
     <message>
         <source>error not known</source>
@@ -1028,6 +1028,14 @@
     <message>
         <source>gamepad: %1</source>
         <translation>Gamepad: %1</translation>
+    </message>
+    <message>
+        <source>unit of lengths</source>
+        <translation>Einheit der Längen</translation>
+    </message>
+    <message>
+        <source>unit of angles</source>
+        <translation>Einheit der Winkel</translation>
     </message>
 </context>
 <context>
@@ -1635,8 +1643,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
 <context>
     <name>TwoTrackVerdict</name>
     <message>
-        <source>%1 at %2 m</source>
-        <translation>%1 bei %2 m</translation>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1671,20 +1679,20 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>links %1 · rechts %2</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m) L %2, R %3</source>
-        <translation>P(Stufe &gt; %1 m) L %2, R %3</translation>
+        <source>P(step &gt; %1) L %2, R %3</source>
+        <translation>P(Stufe &gt; %1) L %2, R %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m, L or R) = %2</source>
-        <translation>P(Stufe &gt; %1 m, L oder R) = %2</translation>
+        <source>P(step &gt; %1, L or R) = %2</source>
+        <translation>P(Stufe &gt; %1, L oder R) = %2</translation>
     </message>
     <message>
-        <source>cross slope %1° of %2°, %3 up</source>
-        <translation>Quergefälle %1° von %2°, %3 höher</translation>
+        <source>cross slope %1 of %2, %3 up</source>
+        <translation>Quergefälle %1 von %2, %3 höher</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m, L or R): %2</source>
-        <translation>P(Stufe &gt; %1 m, L oder R): %2</translation>
+        <source>P(step &gt; %1, L or R): %2</source>
+        <translation>P(Stufe &gt; %1, L oder R): %2</translation>
     </message>
 </context>
 <context>
@@ -6275,8 +6283,8 @@ F1</translation>
         <translation>Beendet Schätzung und Erkundung</translation>
     </message>
     <message>
-        <source>Known to ± %1 m, widest at %2</source>
-        <translation>Bekannt auf ± %1 m, am weitesten bei %2</translation>
+        <source>Known to ± %1, widest at %2</source>
+        <translation>Bekannt auf ± %1, am weitesten bei %2</translation>
     </message>
     <message>
         <source>%1 · %2 draws · %3</source>
@@ -6291,8 +6299,8 @@ F1</translation>
         <translation>schätzt %p %</translation>
     </message>
     <message>
-        <source>Uncertain at %1: ± %2 m</source>
-        <translation>Unsicher bei %1: ± %2 m</translation>
+        <source>Uncertain at %1: ± %2</source>
+        <translation>Unsicher bei %1: ± %2</translation>
     </message>
     <message>
         <source>ended: converged</source>
@@ -6855,16 +6863,24 @@ F1</translation>
         <translation>das Bild zeigt wieder die jetzige Schätzung</translation>
     </message>
     <message>
-        <source>Dashed in the picture: the past estimate of %1. Backspace takes it away</source>
-        <translation>Gestrichelt im Bild: die frühere Schätzung von %1. Backspace nimmt sie weg</translation>
-    </message>
-    <message>
         <source>The picture shows the estimate of %1, not the present one. Backspace: the present</source>
         <translation>Das Bild zeigt die Schätzung von %1, nicht die jetzige. Backspace: die jetzige</translation>
     </message>
     <message>
         <source>past: estimate of %1</source>
         <translation>früher: Schätzung von %1</translation>
+    </message>
+    <message>
+        <source>Dashed in the picture: the past estimate of %1%2. Backspace takes it away</source>
+        <translation>Gestrichelt im Bild: die frühere Schätzung von %1%2. Rücktaste nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>, not moved by what was driven since</source>
+        <translation>, nicht um die Fahrt seither verschoben</translation>
+    </message>
+    <message>
+        <source>, not moved by the %1 driven since</source>
+        <translation>, nicht um die seither gefahrenen %1 verschoben</translation>
     </message>
 </context>
 <context>
@@ -7286,10 +7302,6 @@ F1</translation>
         <translation>öffnet die Konsole neu</translation>
     </message>
     <message>
-        <source>robot and language change at the next start: %1</source>
-        <translation>Roboter und Sprache wechseln beim nächsten Start: %1</translation>
-    </message>
-    <message>
         <source>not marked: nothing is recorded</source>
         <translation>nicht markiert: nichts wird aufgezeichnet</translation>
     </message>
@@ -7445,6 +7457,10 @@ F1</translation>
         <source>Export the strip of felt ground …</source>
         <translation>Streifen ertasteten Bodens exportieren …</translation>
     </message>
+    <message>
+        <source>robot, language and units change at the next start: %1</source>
+        <translation>Roboter, Sprache und Einheiten wechseln beim nächsten Start: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -7484,8 +7500,8 @@ F1</translation>
         <translation>die Zahlen kopieren, auf ihrer Seite</translation>
     </message>
     <message>
-        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. The verdict&apos;s P counts steps over two bins (0.2 m) anywhere ahead, the column those to the next bin alone</source>
-        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4 m. Das P des Urteils zählt Stufen über zwei Abschnitte (0.2 m) irgendwo voraus, die Spalte nur die zum nächsten Abschnitt</translation>
+        <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4. The verdict&apos;s P counts steps over two bins (%5) anywhere ahead, the column those to the next bin alone</source>
+        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4. Das P des Urteils zählt Stufen über zwei Abschnitte (%5) irgendwo voraus, die Spalte nur die zum nächsten Abschnitt</translation>
     </message>
 </context>
 <context>
@@ -7495,28 +7511,28 @@ F1</translation>
         <translation>Die Szene in Zahlen</translation>
     </message>
     <message>
-        <source>bin [m]</source>
-        <translation>Feld [m]</translation>
+        <source>bin [%1]</source>
+        <translation>Feld [%1]</translation>
     </message>
     <message>
-        <source>height [m]</source>
-        <translation>Höhe [m]</translation>
+        <source>height [%1]</source>
+        <translation>Höhe [%1]</translation>
     </message>
     <message>
-        <source>sd [m]</source>
-        <translation>sd [m]</translation>
+        <source>sd [%1]</source>
+        <translation>sd [%1]</translation>
     </message>
     <message>
-        <source>10 % [m]</source>
-        <translation>10 % [m]</translation>
+        <source>10 % [%1]</source>
+        <translation>10 % [%1]</translation>
     </message>
     <message>
-        <source>90 % [m]</source>
-        <translation>90 % [m]</translation>
+        <source>90 % [%1]</source>
+        <translation>90 % [%1]</translation>
     </message>
     <message>
-        <source>ceiling [m]</source>
-        <translation>max. [m]</translation>
+        <source>ceiling [%1]</source>
+        <translation>max. [%1]</translation>
     </message>
     <message>
         <source>from</source>
@@ -7543,10 +7559,6 @@ F1</translation>
         <translation>%1 (%2 %) oder %3 (%4 %)</translation>
     </message>
     <message>
-        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within 0.2 m, which is over two bins, and anywhere ahead</source>
-        <translation>P einer Stufe nur zum nächsten Abschnitt; das P des Urteils zählt Stufen innerhalb von 0.2 m, also über zwei Abschnitte, und irgendwo voraus</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -7565,6 +7577,10 @@ F1</translation>
     <message>
         <source>side</source>
         <translation>Seite</translation>
+    </message>
+    <message>
+        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
+        <translation>P einer Stufe nur zum nächsten Abschnitt; das P des Urteils zählt Stufen innerhalb von %1, also über zwei Abschnitte, und irgendwo voraus</translation>
     </message>
 </context>
 <context>
@@ -7975,16 +7991,16 @@ F1</translation>
         <translation>Fortschritt der Sondierung</translation>
     </message>
     <message>
-        <source>%1 m ± %2 m (sd)</source>
-        <translation>%1 m ± %2 m (sd)</translation>
+        <source>%1 ± %2 (sd)</source>
+        <translation>%1 ± %2 (sd)</translation>
     </message>
     <message>
-        <source>%1 … %2 m</source>
-        <translation>%1 … %2 m</translation>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
     </message>
     <message>
-        <source>this bin to ± %1 m</source>
-        <translation>dieses Feld auf ± %1 m</translation>
+        <source>this bin to ± %1</source>
+        <translation>dieses Feld auf ± %1</translation>
     </message>
     <message>
         <source>≈ %1 s, arm out in smoke</source>
@@ -8015,8 +8031,8 @@ F1</translation>
         <translation>Lehnt den Arm ab; so gut wie jede andere Antwort</translation>
     </message>
     <message>
-        <source>step &gt; %1 m</source>
-        <translation>Stufe &gt; %1 m</translation>
+        <source>step &gt; %1</source>
+        <translation>Stufe &gt; %1</translation>
     </message>
     <message>
         <source>total variance %1 %</source>
@@ -8047,8 +8063,8 @@ F1</translation>
         <translation>Ob eine Sondierung nötig ist</translation>
     </message>
     <message>
-        <source>80 % in %1 … %2 m</source>
-        <translation>80 % in %1 … %2 m</translation>
+        <source>80 % in %1 … %2</source>
+        <translation>80 % in %1 … %2</translation>
     </message>
     <message>
         <source>%1 for %2 s</source>
@@ -8103,8 +8119,8 @@ F1</translation>
         <translation>ungültig</translation>
     </message>
     <message>
-        <source>%1: %2 ± %3 m</source>
-        <translation>%1: %2 ± %3 m</translation>
+        <source>%1: %2 ± %3</source>
+        <translation>%1: %2 ± %3</translation>
     </message>
     <message>
         <source>Ask for %1 instead: total variance %2 %, step ahead to %3 bit</source>
@@ -9843,10 +9859,6 @@ F1</translation>
         <translation>Hindernis ist eine Stufe über</translation>
     </message>
     <message>
-        <source>m</source>
-        <translation>m</translation>
-    </message>
-    <message>
         <source>Step height that the verdict asks about (PgUp, PgDown)</source>
         <translation>Die Frage des Urteils (PgUp, PgDown)</translation>
     </message>
@@ -9873,10 +9885,6 @@ F1</translation>
     <message>
         <source>The verdict is withheld above a roll of</source>
         <translation>Kein Urteil ab Rollen von</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
     </message>
     <message>
         <source>Then left and right ground differ</source>
@@ -10095,10 +10103,6 @@ F1</translation>
         <translation>Solange das nicht angekreuzt ist, sagt die Konsole nur, was sie löschen würde</translation>
     </message>
     <message>
-        <source>Rate of hazards per 0.1 m of ground that is not felt</source>
-        <translation>Häufigkeit von Gefahren auf 0.1 m, die nichts ertastet hat</translation>
-    </message>
-    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -10111,16 +10115,8 @@ F1</translation>
         <translation>Nick- oder Rollwinkel ist steil ab</translation>
     </message>
     <message>
-        <source>Amber alarm; at the latest 20° before the robot tips over</source>
-        <translation>Ein gelber Alarm; in jedem Fall 20° vor dem Kippen</translation>
-    </message>
-    <message>
         <source>Pitch or roll is dangerous from</source>
         <translation>Nick- oder Rollwinkel ist gefährlich ab</translation>
-    </message>
-    <message>
-        <source>Red alarm with sound; at the latest 10° before the robot tips over</source>
-        <translation>Ein roter Alarm mit Ton; in jedem Fall 10° vor dem Kippen</translation>
     </message>
     <message>
         <source>Press again to reset all settings</source>
@@ -10157,6 +10153,42 @@ F1</translation>
     <message>
         <source>What the method uses</source>
         <translation>Was die Methode nutzt</translation>
+    </message>
+    <message>
+        <source>Rate of hazards per %1 of ground that is not felt</source>
+        <translation>Häufigkeit von Gefahren auf %1, die nichts ertastet hat</translation>
+    </message>
+    <message>
+        <source>Amber alarm; at the latest %1 before the robot tips over</source>
+        <translation>Ein gelber Alarm; in jedem Fall %1 vor dem Kippen</translation>
+    </message>
+    <message>
+        <source>Red alarm with sound; at the latest %1 before the robot tips over</source>
+        <translation>Ein roter Alarm mit Ton; in jedem Fall %1 vor dem Kippen</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Radiant</translation>
     </message>
 </context>
 <context>
@@ -10674,8 +10706,8 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Kräfte hinten</translation>
     </message>
     <message>
-        <source>probe %1: its height, ± %2 m instead of ± %3 m</source>
-        <translation>Sondierung %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
+        <source>probe %1: its height, ± %2 instead of ± %3</source>
+        <translation>Sondierung %1: ihre Höhe, ± %2 statt ± %3</translation>
     </message>
     <message>
         <source>probe %1: %2 → %3 bit</source>
@@ -10709,20 +10741,20 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Noch keine Schätzung</translation>
     </message>
     <message>
-        <source>forward from the IMU [m]</source>
-        <translation>vorwärts ab IMU [m]</translation>
+        <source>forward from the IMU [%1]</source>
+        <translation>vorwärts ab IMU [%1]</translation>
     </message>
     <message>
-        <source>height [m]</source>
-        <translation>Höhe [m]</translation>
+        <source>height [%1]</source>
+        <translation>Höhe [%1]</translation>
     </message>
     <message>
         <source>IMU</source>
         <translation>IMU</translation>
     </message>
     <message>
-        <source>bin %1: %2 m, 80 % in %3 … %4, %5</source>
-        <translation>Feld %1: %2 m, 80 % in %3 … %4, %5</translation>
+        <source>bin %1: %2, 80 % in %3 … %4, %5</source>
+        <translation>Feld %1: %2, 80 % in %3 … %4, %5</translation>
     </message>
     <message>
         <source>draws</source>
@@ -10745,28 +10777,28 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Feld %1</translation>
     </message>
     <message>
-        <source>height %1 m ± %2 m</source>
-        <translation>Höhe %1 m ± %2 m</translation>
+        <source>height %1 ± %2</source>
+        <translation>Höhe %1 ± %2</translation>
     </message>
     <message>
-        <source>80 % in %1 … %2 m</source>
-        <translation>80 % in %1 … %2 m</translation>
+        <source>80 % in %1 … %2</source>
+        <translation>80 % in %1 … %2</translation>
     </message>
     <message>
-        <source>ceiling %1 m</source>
-        <translation>Obergrenze %1 m</translation>
+        <source>ceiling %1</source>
+        <translation>Obergrenze %1</translation>
     </message>
     <message>
         <source>no part of the robot above it</source>
         <translation>nichts vom Roboter darüber</translation>
     </message>
     <message>
-        <source>either %1 m (%2 %)</source>
-        <translation>entweder %1 m (%2 %)</translation>
+        <source>either %1 (%2 %)</source>
+        <translation>entweder %1 (%2 %)</translation>
     </message>
     <message>
-        <source>or %1 m (%2 %)</source>
-        <translation>oder %1 m (%2 %)</translation>
+        <source>or %1 (%2 %)</source>
+        <translation>oder %1 (%2 %)</translation>
     </message>
     <message>
         <source>as of %1 ago</source>
@@ -10789,16 +10821,16 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Armspitze</translation>
     </message>
     <message>
-        <source>forward, height [m]</source>
-        <translation>vorwärts, Höhe [m]</translation>
+        <source>forward, height [%1]</source>
+        <translation>vorwärts, Höhe [%1]</translation>
     </message>
     <message>
         <source>from: %1 (%2)</source>
         <translation>aus: %1 (%2)</translation>
     </message>
     <message>
-        <source>felt to %1 m</source>
-        <translation>ertastet bis %1 m</translation>
+        <source>felt to %1</source>
+        <translation>ertastet bis %1</translation>
     </message>
     <message>
         <source>touch: %1</source>
@@ -10809,20 +10841,20 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Feld %1: %2</translation>
     </message>
     <message>
-        <source>%1: height %2 m ± %3 m</source>
-        <translation>%1: Höhe %2 m ± %3 m</translation>
+        <source>%1: height %2 ± %3</source>
+        <translation>%1: Höhe %2 ± %3</translation>
     </message>
     <message>
         <source>remembered</source>
         <translation>gemerkt</translation>
     </message>
     <message>
-        <source>remembered ± %1 cm</source>
-        <translation>gemerkt ± %1 cm</translation>
+        <source>remembered ± %1</source>
+        <translation>gemerkt ± %1</translation>
     </message>
     <message>
-        <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
-        <translation>gemerkter Boden · seither %1 m gefahren · Höhen ± %2 cm</translation>
+        <source>remembered ground · %1 driven since · heights ± %2</source>
+        <translation>gemerkter Boden · seither %1 gefahren · Höhen ± %2</translation>
     </message>
     <message>
         <source>free point</source>
@@ -11275,8 +11307,8 @@ voraus</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>most likely at %1 … %2 m (%3)</source>
-        <translation>am ehesten bei %1 … %2 m (%3)</translation>
+        <source>most likely at %1 … %2 (%3)</source>
+        <translation>am ehesten bei %1 … %2 (%3)</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -11311,8 +11343,8 @@ voraus</translation>
         <translation>✔ FREI</translation>
     </message>
     <message>
-        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %</source>
-        <translation>bis 0.75 m vor der IMU, Risiko unter %1 %</translation>
+        <source>up to %2 ahead of the IMU, at a risk below %1 %</source>
+        <translation>bis %2 vor der IMU, Risiko unter %1 %</translation>
     </message>
     <message>
         <source>✘ BLOCKED</source>
@@ -11331,8 +11363,8 @@ voraus</translation>
         <translation>KEIN URTEIL</translation>
     </message>
     <message>
-        <source>Is there a step of more than %1 m ahead?</source>
-        <translation>Ist voraus eine Stufe über %1 m?</translation>
+        <source>Is there a step of more than %1 ahead?</source>
+        <translation>Ist voraus eine Stufe über %1?</translation>
     </message>
     <message>
         <source>not decided (CLEAR below %1, BLOCKED above %2); %3</source>
@@ -11359,32 +11391,32 @@ voraus</translation>
         <translation>die Flipper weichen ab</translation>
     </message>
     <message>
-        <source>%1 m is the lowest limit</source>
-        <translation>Eine niedrigere Grenze als %1 m geht nicht</translation>
+        <source>%1 is the lowest limit</source>
+        <translation>Eine niedrigere Grenze als %1 geht nicht</translation>
     </message>
     <message>
-        <source>%1 m is the highest limit</source>
-        <translation>Eine höhere Grenze als %1 m geht nicht</translation>
+        <source>%1 is the highest limit</source>
+        <translation>Eine höhere Grenze als %1 geht nicht</translation>
     </message>
     <message>
         <source>the link was lost</source>
         <translation>Verbindung war verloren</translation>
     </message>
     <message>
-        <source>up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
-        <translation>bis 0.75 m vor der IMU, Risiko unter %1 %, aber nicht ertastet: %2</translation>
+        <source>up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
+        <translation>bis %3 vor der IMU, Risiko unter %1 %, aber nicht ertastet: %2</translation>
     </message>
     <message>
-        <source>A step: two bins at most %3 m apart that differ in height by more than the limit, anywhere from %1 to %2 m ahead of the IMU</source>
-        <translation>Eine Stufe: zwei Abschnitte, höchstens %3 m voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 m vor der IMU</translation>
+        <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
+        <translation>Eine Stufe: zwei Abschnitte, höchstens %3 voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 vor der IMU</translation>
     </message>
     <message>
-        <source>felt to %1 m ahead of the IMU, risk below %2 %</source>
-        <translation>ertastet bis %1 m vor der IMU, Risiko unter %2 %</translation>
+        <source>felt to %1 ahead of the IMU, risk below %2 %</source>
+        <translation>ertastet bis %1 vor der IMU, Risiko unter %2 %</translation>
     </message>
     <message>
-        <source>felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3</source>
-        <translation>ertastet bis %1 m vor der IMU, Risiko unter %2 %; nicht ertastet: %3</translation>
+        <source>felt to %1 ahead of the IMU, risk below %2 %; not felt: %3</source>
+        <translation>ertastet bis %1 vor der IMU, Risiko unter %2 %; nicht ertastet: %3</translation>
     </message>
     <message>
         <source>%1; not felt: %2</source>
@@ -11395,12 +11427,12 @@ voraus</translation>
         <translation>%1. Es hilft: %2</translation>
     </message>
     <message>
-        <source>✔ CLEAR to %1 m</source>
-        <translation>✔ FREI bis %1 m</translation>
+        <source>✔ CLEAR to %1</source>
+        <translation>✔ FREI bis %1</translation>
     </message>
     <message>
-        <source>to %1 m</source>
-        <translation>bis %1 m</translation>
+        <source>to %1</source>
+        <translation>bis %1</translation>
     </message>
     <message>
         <source>a sensor may be wrong</source>
@@ -11415,8 +11447,8 @@ voraus</translation>
         <translation>Flipper drücken auf nichts</translation>
     </message>
     <message>
-        <source>felt to %1 m only</source>
-        <translation>nur bis %1 m ertastet</translation>
+        <source>felt to %1 only</source>
+        <translation>nur bis %1 ertastet</translation>
     </message>
     <message>
         <source>not felt under the flippers</source>
@@ -11425,10 +11457,6 @@ voraus</translation>
     <message>
         <source>, flatter flippers help</source>
         <translation>, flachere Flipper helfen</translation>
-    </message>
-    <message>
-        <source>, 0.1 m further helps</source>
-        <translation>, 0.1 m weiter hilft</translation>
     </message>
     <message>
         <source>not decided; %1</source>
@@ -11443,20 +11471,24 @@ voraus</translation>
         <translation>Urteil je Seite</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m): %3</source>
-        <translation>P(Stufe &gt; %1 m bis %2 m): %3</translation>
+        <source>P(step &gt; %1 to %2): %3</source>
+        <translation>P(Stufe &gt; %1 bis %2): %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m to %2 m) = %3</source>
-        <translation>P(Stufe &gt; %1 m bis %2 m) = %3</translation>
+        <source>P(step &gt; %1 to %2) = %3</source>
+        <translation>P(Stufe &gt; %1 bis %2) = %3</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m ahead): %2</source>
-        <translation>P(Stufe &gt; %1 m voraus): %2</translation>
+        <source>P(step &gt; %1 ahead): %2</source>
+        <translation>P(Stufe &gt; %1 voraus): %2</translation>
     </message>
     <message>
-        <source>P(step &gt; %1 m ahead) = %2</source>
-        <translation>P(Stufe &gt; %1 m voraus) = %2</translation>
+        <source>P(step &gt; %1 ahead) = %2</source>
+        <translation>P(Stufe &gt; %1 voraus) = %2</translation>
+    </message>
+    <message>
+        <source>, %1 further helps</source>
+        <translation>, %1 weiter hilft</translation>
     </message>
 </context>
 <context>
@@ -11521,16 +11553,16 @@ voraus</translation>
         <translation>Aufgezeichnete und andere Schätzung, Feld für Feld</translation>
     </message>
     <message>
-        <source>bin [m]</source>
-        <translation>Feld [m]</translation>
+        <source>bin [%1]</source>
+        <translation>Feld [%1]</translation>
     </message>
     <message>
-        <source>then [m]</source>
-        <translation>damals [m]</translation>
+        <source>then [%1]</source>
+        <translation>damals [%1]</translation>
     </message>
     <message>
-        <source>now [m]</source>
-        <translation>jetzt [m]</translation>
+        <source>now [%1]</source>
+        <translation>jetzt [%1]</translation>
     </message>
     <message>
         <source>by</source>
@@ -11653,16 +11685,16 @@ voraus</translation>
         <translation>Die aufgezeichneten Einstellungen und das Modell ergeben wieder die aufgezeichnete Schätzung, bis auf die letzten Bits, die ein anderer Prozessor oder eine andere Version anders rundet: keine Zahl ändert sich um mehr als ein Millionstel.</translation>
     </message>
     <message>
-        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
-        <translation>Die Zeit beendete das aufgezeichnete Ziehen, es lässt sich also nicht Bit für Bit wiederholen: höchstens %1 m, im Feld %2.</translation>
+        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 at most, at bin %2.</source>
+        <translation>Die Zeit beendete das aufgezeichnete Ziehen, es lässt sich also nicht Bit für Bit wiederholen: höchstens %1, im Feld %2.</translation>
     </message>
     <message>
-        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 m at most, at bin %2.</source>
-        <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung NICHT: höchstens %1 m, im Feld %2.</translation>
+        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 at most, at bin %2.</source>
+        <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung NICHT: höchstens %1, im Feld %2.</translation>
     </message>
     <message>
-        <source>Differs from the recorded estimate by %1 m at most, at bin %2.</source>
-        <translation>Weicht vom Gezeigten um höchstens %1 m ab, im Feld %2.</translation>
+        <source>Differs from the recorded estimate by %1 at most, at bin %2.</source>
+        <translation>Weicht vom Gezeigten um höchstens %1 ab, im Feld %2.</translation>
     </message>
     <message>
         <source>Estimate again (E)</source>
@@ -11689,8 +11721,8 @@ voraus</translation>
         <translation>%1 rechts</translation>
     </message>
     <message>
-        <source>Steps of more than %1 m: %2 then, %3 now.</source>
-        <translation>Stufen über %1 m: damals %2, jetzt %3.</translation>
+        <source>Steps of more than %1: %2 then, %3 now.</source>
+        <translation>Stufen über %1: damals %2, jetzt %3.</translation>
     </message>
     <message>
         <source>Left: %1 then, %2 now.</source>

@@ -17,6 +17,16 @@ int target()
     return std::max(kTarget, scaled(kTarget));
 }
 
+/// Draws a frame that is visible on a card in every theme.
+void drawFrame(QPainter& painter, const QRect& around)
+{
+    painter.save();
+    painter.setPen(theme().muted);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(around.adjusted(0, 0, -1, -1));
+    painter.restore();
+}
+
 bool hasArrows(const QStyleOption* option)
 {
     const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
@@ -53,12 +63,14 @@ void TargetStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
                                      QPainter* painter, const QWidget* widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
-    if (control != CC_SpinBox && control != CC_ComboBox) return;
-    painter->save();
-    painter->setPen(theme().muted);
-    painter->setBrush(Qt::NoBrush);
-    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
-    painter->restore();
+    if (control == CC_SpinBox || control == CC_ComboBox) drawFrame(*painter, option->rect);
+}
+
+void TargetStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const
+{
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_IndicatorCheckBox) drawFrame(*painter, option->rect);
 }
 
 int TargetStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,

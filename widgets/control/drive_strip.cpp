@@ -74,15 +74,15 @@ DriveCell::Widest widestOf(DriveStrip::Cell cell)
     case DriveStrip::Roll:
         return {levels(DriveText::level),
                 levels(markOf),
-                {format::degrees(-88.8 * std::numbers::pi / 180.0)},
+                {format::angle(-88.8 * std::numbers::pi / 180.0)},
                 DriveText::limits({1.5, 1.5})};
     case DriveStrip::Contact: {
         const QStringList words{name, DriveStrip::tr("● CONTACT") + QStringLiteral(" 20 N")};
         return {words, words, {DriveText::contacts({}), QStringLiteral("L5 R5")}, {}};
     }
     case DriveStrip::Speed: return {{name}, {name}, {DriveText::speed(-0.88)}, {}};
-    case DriveStrip::Way: return {{name}, {name}, {QStringLiteral("88.88 m")}, {}};
-    case DriveStrip::FeltTo: return {{ended}, {ended}, {QStringLiteral("+8.88 m")}, {}};
+    case DriveStrip::Way: return {{name}, {name}, {format::length(88.88, 2)}, {}};
+    case DriveStrip::FeltTo: return {{ended}, {ended}, {format::signedLength(8.88, 2)}, {}};
     case DriveStrip::kCells: break;
     }
     return {};
@@ -191,12 +191,12 @@ void DriveStrip::show(Cell cell, const DriveCell::Content& content, const QStrin
 void DriveStrip::showAngle(Cell cell, const std::optional<DriveViewState::Angle>& angle)
 {
     const AttitudeLevel level = angle ? angle->level : AttitudeLevel::Level;
-    const QString limits = angle ? tr("STEEP at %1, DANGER at %2, tips over at %3")
-                                       .arg(format::degrees(angle->limits.amber, 0).remove(u'+'),
-                                            format::degrees(angle->limits.red, 0).remove(u'+'),
-                                            format::degrees(angle->tips, 0))
-                                 : tr("not known");
-    const QString value = angle ? format::degrees(angle->angle) : QString(format::kNothing);
+    const QString limits =
+        angle ? tr("STEEP at %1, DANGER at %2, tips over at %3")
+                    .arg(format::plainAngle(angle->limits.amber, 0),
+                         format::plainAngle(angle->limits.red, 0), format::angle(angle->tips, 0))
+              : tr("not known");
+    const QString value = angle ? format::angle(angle->angle) : QString(format::kNothing);
     if (limits != tipOf(*cells_.at(cell))) setTip(*cells_.at(cell), limits);
     show(cell,
          {.caption = withMark(nameOf(cell), DriveText::level(level)),
@@ -231,8 +231,8 @@ void DriveStrip::showDistances(const DriveViewState& viewState)
                    withMark(shown, mark));
     };
     show(Speed, viewState.speed, DriveText::speed(viewState.speed.value_or(0.0)));
-    show(Way, viewState.way, format::number(viewState.way.value_or(0.0), 2) + " m");
-    show(FeltTo, viewState.feltTo, format::signedNumber(viewState.feltTo.value_or(0.0), 2) + " m",
+    show(Way, viewState.way, format::length(viewState.way.value_or(0.0), 2));
+    show(FeltTo, viewState.feltTo, format::signedLength(viewState.feltTo.value_or(0.0), 2),
          viewState.feltEnds ? QStringLiteral("!") : QString());
 }
 

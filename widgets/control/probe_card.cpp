@@ -284,21 +284,23 @@ void ProbeCard::showFacts()
 void ProbeCard::showWorth()
 {
     const ProbeProposal& p = *displayed();
-    const QString height = format::signedNumber(p.height, 2), sd = format::number(p.sd, 2);
-    const QString q10 = format::signedNumber(p.q10, 2), q90 = format::signedNumber(p.q90, 2);
+    const QString height =
+        narrow_ ? format::signedLengthNumber(p.height, 2) : format::signedLength(p.height, 2);
+    const QString sd = format::length(p.sd, 2);
+    const QString q10 = format::signedLengthNumber(p.q10, 2), q90 = format::signedLength(p.q90, 2);
     const QString seconds = format::number(p.seconds, 0);
-    predicted_->setText(narrow_ ? tr("%1: %2 ± %3 m").arg(placeText(placeOf(p)), height, sd)
-                                : tr("%1 m ± %2 m (sd)").arg(height, sd));
-    band_->setText(narrow_ ? tr("80 % in %1 … %2 m").arg(q10, q90) : tr("%1 … %2 m").arg(q10, q90));
+    predicted_->setText(narrow_ ? tr("%1: %2 ± %3").arg(placeText(placeOf(p)), height, sd)
+                                : tr("%1 ± %2 (sd)").arg(height, sd));
+    band_->setText(narrow_ ? tr("80 % in %1 … %2").arg(q10, q90) : tr("%1 … %2").arg(q10, q90));
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
-                                  : tr("this bin to ± %1 m").arg(format::number(p.armSd, 2));
+                                  : tr("this bin to ± %1").arg(format::length(p.armSd, 2));
     // Cost and variance share a line if the card shows more facts.
     const bool joined = narrow_ || showsWorth() || isVoid() || p.answer != StepVerdict::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     lines_->setRowStretch(costLine_, joined ? 0 : 1);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
-    questionKey_->setText(tr("step > %1 m").arg(format::number(p.stepLimit, 2)));
+    questionKey_->setText(tr("step > %1").arg(format::length(p.stepLimit, 2)));
     question_->setText(questionText());
     showOthers();
     showRanking();

@@ -50,7 +50,7 @@ void RobotReadout::show(Row row, const QString& text, bool known)
 
 void RobotReadout::showAngle(Row row, double angle, AttitudeLevel level)
 {
-    const QString value = format::degrees(angle);
+    const QString value = format::angle(angle);
     if (level == AttitudeLevel::Level) return show(row, value, true);
     const bool isRed = level == AttitudeLevel::Red;
     values_[row]->setText(isRed ? tr("%1 DANGER").arg(value) : tr("%1 STEEP").arg(value));
@@ -84,11 +84,10 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
     // Two samples always differ by sensor noise.
     if (captured)
-        values_[Pitch]->setText(
-            tr("%1   captured %2").arg(text(Pitch), format::degrees(*captured)));
+        values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), format::angle(*captured)));
     fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
-    put(FrontFlippers, pair(format::degrees(m.frontLeft), format::degrees(m.frontRight)));
-    put(RearFlippers, pair(format::degrees(m.rearLeft), format::degrees(m.rearRight)));
+    put(FrontFlippers, pair(format::angle(m.frontLeft), format::angle(m.frontRight)));
+    put(RearFlippers, pair(format::angle(m.rearLeft), format::angle(m.rearRight)));
     const auto front = [&](double value) {
         return amperes(shownFeature(m, kFrontCurrentFeature, value));
     };

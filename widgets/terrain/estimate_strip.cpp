@@ -139,9 +139,9 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     const auto at = static_cast<std::size_t>(widest);
     const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
     const QString bin = sidePlace({static_cast<int>(widest), side});
-    const QString sd = format::number(estimate.sd[at], 2);
-    headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
-                                : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
+    const QString sd = format::length(estimate.sd[at], 2);
+    headline_->setText(doubtful ? tr("Uncertain at %1: ± %2").arg(bin, sd)
+                                : tr("Known to ± %1, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
     const QString dot = QStringLiteral(" · ");

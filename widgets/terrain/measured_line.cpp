@@ -24,16 +24,15 @@ constexpr int kEndRadius = 6, kFramePad = 8, kFrameGap = 4, kFrameText = 13;  //
 
 QString endText(const QString& name, const MeasuredEnd& end)
 {
-    const QString height = format::signedNumber(end.at.y(), 3);
+    const QString height = format::signedLength(end.at.y(), 3);
     switch (end.kind) {
     case MeasuredEnd::Kind::Unfelt: return QStringLiteral("%1: %2").arg(name, end.word);
-    case MeasuredEnd::Kind::Free:
-        return QStringLiteral("%1: %2 m (%3)").arg(name, height, end.word);
+    case MeasuredEnd::Kind::Free: return QStringLiteral("%1: %2 (%3)").arg(name, height, end.word);
     case MeasuredEnd::Kind::Felt:
     case MeasuredEnd::Kind::Remembered: break;
     }
-    return QStringLiteral("%1: %2 m ± %3 m (%4)")
-        .arg(name, height, format::number(end.sd, 3), end.word);
+    return QStringLiteral("%1: %2 ± %3 (%4)")
+        .arg(name, height, format::length(end.sd, 3), end.word);
 }
 
 }  // namespace
@@ -52,15 +51,15 @@ MeasuredSlope measuredSlope(const MeasuredEnd& a, const MeasuredEnd& b)
 QStringList measuredText(const MeasuredEnd& a, const MeasuredEnd& b)
 {
     const MeasuredSlope measured = measuredSlope(a, b);
-    const QString distance = format::number(measured.distance, 2);
+    const QString distance = format::length(measured.distance, 2);
     const bool isForward = a.at.x() <= b.at.x();
     QString first;
     if (!measured.rise)
-        first = MeasuredWords::tr("%1 m apart · rise and slope unknown: not felt").arg(distance);
+        first = MeasuredWords::tr("%1 apart · rise and slope unknown: not felt").arg(distance);
     else
-        first = MeasuredWords::tr("%1 m apart · rise %2 m · slope %3")
-                    .arg(distance, format::signedNumber(*measured.rise, 3),
-                         measured.slope ? format::degrees(*measured.slope) : format::kNothing);
+        first = MeasuredWords::tr("%1 apart · rise %2 · slope %3")
+                    .arg(distance, format::signedLength(*measured.rise, 3),
+                         measured.slope ? format::angle(*measured.slope) : format::kNothing);
     return {first, endText(MeasuredWords::tr("rear"), isForward ? a : b) + QStringLiteral(" · ")
                        + endText(MeasuredWords::tr("front"), isForward ? b : a)};
 }

@@ -36,14 +36,15 @@ QString feltWord(Touch touch)
 NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(0, kColumns, parent)
 {
     setAccessibleName(tr("The scene as numbers"));
-    setHorizontalHeaderLabels({tr("bin [m]"), tr("side"), tr("height [m]"), tr("sd [m]"),
-                               tr("10 % [m]"), tr("90 % [m]"), tr("ceiling [m]"), tr("from"),
-                               tr("felt"), tr("step to next"), tr("R-hat"), tr("ESS"),
-                               tr("two heights")});
-    setTip(
-        *horizontalHeaderItem(Step),
-        tr("P of a step to the next bin alone; the verdict's P counts steps within 0.2 m, which is "
-           "over two bins, and anywhere ahead"));
+    const auto withUnit = [](const QString& words) { return words.arg(format::lengthUnit()); };
+    setHorizontalHeaderLabels(
+        {withUnit(tr("bin [%1]")), tr("side"), withUnit(tr("height [%1]")), withUnit(tr("sd [%1]")),
+         withUnit(tr("10 % [%1]")), withUnit(tr("90 % [%1]")), withUnit(tr("ceiling [%1]")),
+         tr("from"), tr("felt"), tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
+    setTip(*horizontalHeaderItem(Step),
+           tr("P of a step to the next bin alone; the verdict's P counts steps within %1, which is "
+              "over two bins, and anywhere ahead")
+               .arg(format::length(kStepBins * kBinWidth, 1)));
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());
     verticalHeader()->setSectionResizeMode(
@@ -73,7 +74,7 @@ void NumbersTable::setRows(bool twoSides)
             setItem(row, column, item);
         }
     for (int row = 0; row < rows; ++row) {
-        set(row, Bin, format::signedNumber(binCentre(twoSides ? row / 2 : row), 1));
+        set(row, Bin, format::signedLengthNumber(binCentre(twoSides ? row / 2 : row), 1));
         set(row, AtSide, !twoSides ? QString() : sideWord(row % 2 == 0 ? Side::Left : Side::Right));
     }
 }
@@ -110,11 +111,11 @@ void NumbersTable::setSide(const TerrainEstimate& e, double stepLimit, int first
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
         const int row = firstRow + bin * rowsPerBin;
-        set(row, Height, format::signedNumber(e.height[i], 3));
-        set(row, Sd, format::number(e.sd[i], 3));
-        set(row, Low, format::signedNumber(e.q10[i], 3));
-        set(row, High, format::signedNumber(e.q90[i], 3));
-        set(row, Ceiling, format::signedNumber(e.ceiling[i], 3));
+        set(row, Height, format::signedLengthNumber(e.height[i], 3));
+        set(row, Sd, format::lengthNumber(e.sd[i], 3));
+        set(row, Low, format::signedLengthNumber(e.q10[i], 3));
+        set(row, High, format::signedLengthNumber(e.q90[i], 3));
+        set(row, Ceiling, format::signedLengthNumber(e.ceiling[i], 3));
         set(row, From, provenanceWord(provenance(e, bin)));
         set(row, Touched, feltWord(e.touch[i]));
         set(row, Step,
@@ -123,9 +124,9 @@ void NumbersTable::setSide(const TerrainEstimate& e, double stepLimit, int first
         set(row, Ess, format::number(e.ess[i], 0));
         set(row, TwoHeaps,
             modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")
-                           .arg(format::signedNumber(modes[i]->lowMean, 2),
+                           .arg(format::signedLengthNumber(modes[i]->lowMean, 2),
                                 format::percent(modes[i]->lowShare),
-                                format::signedNumber(modes[i]->highMean, 2),
+                                format::signedLengthNumber(modes[i]->highMean, 2),
                                 format::percent(modes[i]->highShare))
                      : format::kNothing);
     }

@@ -42,8 +42,8 @@ MetreScale::MetreScale(bool withPlus) : withPlus_(withPlus)
 QwtText MetreScale::label(double value) const
 {
     const double rounded = std::round(value * 100.0) / 100.0;
-    if (!withPlus_ || rounded == 0.0) return format::number(rounded, decimals_);
-    return format::signedNumber(rounded, decimals_);
+    if (!withPlus_ || rounded == 0.0) return format::lengthNumber(rounded, decimals_);
+    return format::signedLengthNumber(rounded, decimals_);
 }
 
 void MetreScale::setDecimals(int decimals)
@@ -81,9 +81,11 @@ void ProfileAxes::name()
     // In a narrow plot one name for both axes saves width.
     constexpr int kNarrow = 400;  // [px] at 100 %
     const bool isNarrow = plot_.width() < scaled(kNarrow);
-    const QString x = isNarrow ? TerrainProfileView::tr("forward, height [m]")
-                               : TerrainProfileView::tr("forward from the IMU [m]");
-    const QString y = isNarrow ? QString() : TerrainProfileView::tr("height [m]");
+    const QString x =
+        isNarrow ? TerrainProfileView::tr("forward, height [%1]").arg(format::lengthUnit())
+                 : TerrainProfileView::tr("forward from the IMU [%1]").arg(format::lengthUnit());
+    const QString y =
+        isNarrow ? QString() : TerrainProfileView::tr("height [%1]").arg(format::lengthUnit());
     const QFont font = sized(plot_.font(), kLetters);
     const QwtText now = plot_.axisTitle(QwtPlot::xBottom);
     if (now.text() == x && now.font() == font && now.color() == theme().muted) return;

@@ -30,7 +30,7 @@ bool isKnown(const RearView::Pose& pose)
 QString tiltText(double radians)
 {
     const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
-    QString angle = format::number(degrees, 1) + QStringLiteral("°");
+    QString angle = format::plainAngle(std::abs(radians), 1);
     if (degrees < kMinSaid) return angle;
     return radians > 0.0 ? RearView::tr("%1 L up").arg(angle) : RearView::tr("%1 R up").arg(angle);
 }
@@ -45,7 +45,7 @@ QString lineOf(const RearView::Pose& pose)
 QString shortTilt(double radians)
 {
     const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
-    QString angle = format::number(degrees, 0) + QStringLiteral("°");
+    QString angle = format::plainAngle(std::abs(radians), 0);
     if (degrees < 0.5) return angle;
     return QStringLiteral("↑%1 %2").arg(radians > 0.0 ? RearView::tr("L") : RearView::tr("R"),
                                         angle);
@@ -61,7 +61,7 @@ QString spokenOf(const RearView::Pose& pose)
     QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
     if (pose.crossSlope) roll += QStringLiteral("; ") + lineOf(pose);
     return RearView::tr("From behind: %1; front flippers L %2, R %3")
-        .arg(roll, format::degrees(pose.frontLeft), format::degrees(pose.frontRight));
+        .arg(roll, format::angle(pose.frontLeft), format::angle(pose.frontRight));
 }
 
 }  // namespace

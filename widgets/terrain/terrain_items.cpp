@@ -261,7 +261,7 @@ void BinZones::drawHorizonWord(QPainter& painter, const Unfelt& side, const QStr
                                double px, const QRectF& canvas) const
 {
     const QString label =
-        letter + TerrainProfileView::tr("felt to %1 m").arg(format::signedNumber(*side.horizon, 2));
+        letter + TerrainProfileView::tr("felt to %1").arg(format::signedLength(*side.horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
     QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
     if (light) place = free(place, canvas);

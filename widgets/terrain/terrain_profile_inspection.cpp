@@ -45,23 +45,23 @@ namespace {
 QString ceilingText(double ceiling)
 {
     return ceiling < kDrawableLimit
-             ? TerrainProfileView::tr("ceiling %1 m").arg(format::signedNumber(ceiling, 3))
+             ? TerrainProfileView::tr("ceiling %1").arg(format::signedLength(ceiling, 3))
              : TerrainProfileView::tr("no part of the robot above it");
 }
 
 QString bandText(const TerrainEstimate& e, std::size_t i)
 {
-    return TerrainProfileView::tr("80 % in %1 … %2 m")
-        .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3));
+    return TerrainProfileView::tr("80 % in %1 … %2")
+        .arg(format::signedLengthNumber(e.q10[i], 3), format::signedLength(e.q90[i], 3));
 }
 
 QStringList modeTexts(const TwoModes& two)
 {
     return {
-        TerrainProfileView::tr("either %1 m (%2 %)")
-            .arg(format::signedNumber(two.lowMean, 2), format::number(100.0 * two.lowShare, 0)),
-        TerrainProfileView::tr("or %1 m (%2 %)")
-            .arg(format::signedNumber(two.highMean, 2), format::number(100.0 * two.highShare, 0))};
+        TerrainProfileView::tr("either %1 (%2 %)")
+            .arg(format::signedLength(two.lowMean, 2), format::number(100.0 * two.lowShare, 0)),
+        TerrainProfileView::tr("or %1 (%2 %)")
+            .arg(format::signedLength(two.highMean, 2), format::number(100.0 * two.highShare, 0))};
 }
 
 }  // namespace
@@ -75,8 +75,7 @@ QStringList TerrainProfileView::closeUp(int bin) const
     const auto side = sideInFull();
     QStringList lines{
         side ? title + QStringLiteral(" · ") + sideWord(*side) : title,
-        tr("height %1 m ± %2 m")
-            .arg(format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
+        tr("height %1 ± %2").arg(format::signedLength(e.height[i], 3), format::length(e.sd[i], 3)),
         bandText(e, i),
         ceilingText(e.ceiling[i]),
         tr("from: %1 (%2)")
@@ -92,8 +91,8 @@ QStringList TerrainProfileView::briefly(int bin, Side side) const
     const TerrainEstimate& e = of(side);
     const auto i = static_cast<std::size_t>(bin);
     QStringList lines{
-        tr("%1: height %2 m ± %3 m")
-            .arg(sideWord(side), format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
+        tr("%1: height %2 ± %3")
+            .arg(sideWord(side), format::signedLength(e.height[i], 3), format::length(e.sd[i], 3)),
         bandText(e, i), ceilingText(e.ceiling[i]),
         provenanceWord(provenance(e, bin)) + QStringLiteral(" · ") + touchWord(e.touch[i])};
     if (const auto two = twoModes(e)[i]) lines << modeTexts(*two).join(QLatin1Char(' '));
@@ -124,9 +123,9 @@ QString TerrainProfileView::binTextOf(const TerrainEstimate& e, int bin) const
     if (recorded && isUnfeltAhead(e, bin))
         return tr("bin %1: %2").arg(format::binName(bin), touchWord(touch));
     const QString known =
-        tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-            .arg(format::binName(bin), format::signedNumber(e.height[i], 2),
-                 format::signedNumber(e.q10[i], 2), format::signedNumber(e.q90[i], 2),
+        tr("bin %1: %2, 80 % in %3 … %4, %5")
+            .arg(format::binName(bin), format::signedLength(e.height[i], 2),
+                 format::signedLengthNumber(e.q10[i], 2), format::signedLengthNumber(e.q90[i], 2),
                  provenanceWord(provenance(e, bin)));
     return recorded ? known + QStringLiteral(", ") + touchWord(touch) : known;
 }

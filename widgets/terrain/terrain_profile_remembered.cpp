@@ -62,8 +62,8 @@ void TerrainProfileView::showRemembered()
         remembered_->setStrip(SeenStrip(remembered_->strip()), estimate_.has_value());
     const bool isShown = remembered_->isShown();
     const RememberedNumbers numbers = numbersOf(*remembered_);
-    const QString sd = format::number(100.0 * numbers.sd, 0);
-    if (const QString title = tr("remembered ± %1 cm").arg(sd);
+    const QString sd = format::length(numbers.sd, 2);
+    if (const QString title = tr("remembered ± %1").arg(sd);
         isShown && title != remembered_->title().text())
         remembered_->setTitle(title);
     if (isShown != remembered_->testItemAttribute(QwtPlotItem::Legend)) {
@@ -74,8 +74,8 @@ void TerrainProfileView::showRemembered()
     }
     QString note = estimate_ || isShown ? QString() : whyNothingRemembered_;
     if (isShown && !estimate_)
-        note = tr("remembered ground · %1 m driven since · heights ± %2 cm")
-                   .arg(format::number(numbers.way, 2), sd);
+        note = tr("remembered ground · %1 driven since · heights ± %2")
+                   .arg(format::length(numbers.way, 2), sd);
     setLabel(*rememberedNote_,
              inked(note, isShown ? theme().sampled : theme().muted, sized(font(), 15, true)));
     arrangeNotes();

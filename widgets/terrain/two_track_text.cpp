@@ -31,8 +31,8 @@ QString answerOfSide(const Verdict& verdict)
 {
     QString answer = VerdictStrip::answerOf(verdict);
     if (verdict.stepVerdict != StepVerdict::Blocked) return answer;
-    return TwoTrackWords::tr("%1 at %2 m")
-        .arg(answer, format::signedNumber(binCentre(verdict.likeliest + 1), 1));
+    return TwoTrackWords::tr("%1 at %2")
+        .arg(answer, format::signedLength(binCentre(verdict.likeliest + 1), 1));
 }
 
 /// Returns the answer and its distance [m] in few letters: "✘ BLOCKED 0.4".
@@ -42,9 +42,9 @@ QString shortAnswerOfSide(const Verdict& verdict)
     plain.touchRecorded = false;  // CLEAR without its horizon
     QString answer = VerdictStrip::answerOf(plain) + QLatin1Char(' ');
     if (verdict.stepVerdict == StepVerdict::Blocked)
-        return answer + format::number(binCentre(verdict.likeliest + 1), 1);
+        return answer + format::lengthNumber(binCentre(verdict.likeliest + 1), 1);
     const bool reaches = verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded;
-    return reaches ? answer + format::number(verdict.horizon, 2) : answer.trimmed();
+    return reaches ? answer + format::lengthNumber(verdict.horizon, 2) : answer.trimmed();
 }
 
 /// Returns the texts of both sides, each with its letter; equal texts once. Sides without a text are left out.
@@ -93,7 +93,7 @@ QString sidesText(const TwoTrackVerdict& verdict, bool isShort)
                  : TwoTrackWords::tr("each side %1").arg(answers[0]);
     if (isShort) {
         const QString line = TwoTrackWords::tr("L %1 · R %2").arg(answers[0], answers[1]);
-        return line.back().isDigit() ? line + QStringLiteral(" m") : line;
+        return line.back().isDigit() ? line + QLatin1Char(' ') + format::lengthUnit() : line;
     }
     return TwoTrackWords::tr("left %1 · right %2").arg(answers[0], answers[1]);
 }
@@ -103,13 +103,13 @@ QString eitherText(const TwoTrackVerdict& verdict, double limit)
     const auto shown = [](const StepProbability& p) {
         return format::probability(p.p, p.monteCarloSd);
     };
-    const QString height = format::number(limit, 2);
+    const QString height = format::length(limit, 2);
     if (verdict.both == StepVerdict::Clear)
-        return TwoTrackWords::tr("P(step > %1 m) L %2, R %3")
+        return TwoTrackWords::tr("P(step > %1) L %2, R %3")
             .arg(height, shown(verdict.side[0].toHorizon), shown(verdict.side[1].toHorizon));
     return (format::isExtremeProbability(verdict.either.p)
-                ? TwoTrackWords::tr("P(step > %1 m, L or R): %2")
-                : TwoTrackWords::tr("P(step > %1 m, L or R) = %2"))
+                ? TwoTrackWords::tr("P(step > %1, L or R): %2")
+                : TwoTrackWords::tr("P(step > %1, L or R) = %2"))
         .arg(height, shown(verdict.either));
 }
 
@@ -117,12 +117,9 @@ QString crossSlopeText(const TwoTrackVerdict& verdict)
 {
     const CrossSlope& slope = verdict.crossSlope;
     const double tipsOver = slope.limit + kRedReserve;
-    const auto degrees = [](double angle) {
-        return format::number(std::abs(angle) * 180.0 / std::numbers::pi, 0);
-    };
     if (!(slope.limit > 0.0) || !(std::abs(slope.steepest) > tipsOver - kAmberReserve)) return {};
-    return TwoTrackWords::tr("cross slope %1° of %2°, %3 up")
-        .arg(degrees(slope.steepest), degrees(tipsOver),
+    return TwoTrackWords::tr("cross slope %1 of %2, %3 up")
+        .arg(format::plainAngle(std::abs(slope.steepest), 0), format::plainAngle(tipsOver, 0),
              sideLetter(slope.steepest > 0.0 ? Side::Left : Side::Right));
 }
 

@@ -27,9 +27,9 @@ constexpr int kBadgeFrame = 16;  // [px] between the badge's edge and its word
 
 QString likeliestText(const Verdict& verdict)
 {
-    return VerdictStrip::tr("most likely at %1 … %2 m (%3)")
-        .arg(format::signedNumber(binCentre(verdict.likeliest), 1),
-             format::signedNumber(binCentre(verdict.likeliest + 1), 1),
+    return VerdictStrip::tr("most likely at %1 … %2 (%3)")
+        .arg(format::signedLengthNumber(binCentre(verdict.likeliest), 1),
+             format::signedLength(binCentre(verdict.likeliest + 1), 1),
              format::probability(verdict.likeliestP));
 }
 
@@ -75,13 +75,14 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
     case Shortfall::None: break;
     case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
     case Shortfall::ShortHorizon:
-        text = VerdictStrip::tr("felt to %1 m only").arg(format::signedNumber(verdict.horizon, 2));
+        text = VerdictStrip::tr("felt to %1 only").arg(format::signedLength(verdict.horizon, 2));
         break;
     case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
     }
     if (!withHelp) return text;
     if (verdict.help == Help::Flatten) text += VerdictStrip::tr(", flatter flippers help");
-    if (verdict.help == Help::DriveOn) text += VerdictStrip::tr(", 0.1 m further helps");
+    if (verdict.help == Help::DriveOn)
+        text += VerdictStrip::tr(", %1 further helps").arg(format::length(kBinWidth, 1));
     return text;
 }
 
@@ -89,17 +90,19 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
 QString clearText(const Verdict& verdict)
 {
     const QString risk = format::percent(kClearBelow);
-    const QString to = format::signedNumber(verdict.horizon, 2);
+    const QString to = format::signedLength(verdict.horizon, 2);
     const QString unfelt = unfeltText(verdict.unfelt);
+    const QString end = format::length(binEnd(kBins - 1), 2);
     if (!verdict.touchRecorded)
         return unfelt.isEmpty()
-                 ? VerdictStrip::tr("up to 0.75 m ahead of the IMU, at a risk below %1 %").arg(risk)
+                 ? VerdictStrip::tr("up to %2 ahead of the IMU, at a risk below %1 %")
+                       .arg(risk, end)
                  : VerdictStrip::tr(
-                       "up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2")
-                       .arg(risk, unfelt);
+                       "up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2")
+                       .arg(risk, unfelt, end);
     return unfelt.isEmpty()
-             ? VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %").arg(to, risk)
-             : VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3")
+             ? VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %").arg(to, risk)
+             : VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %; not felt: %3")
                    .arg(to, risk, unfelt);
 }
 
@@ -120,7 +123,7 @@ QString badgeOf(const Verdict& verdict)
     if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
         return VerdictStrip::answerOf(verdict);
     return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
-         + VerdictStrip::tr("to %1 m").arg(format::signedNumber(verdict.horizon, 2));
+         + VerdictStrip::tr("to %1").arg(format::signedLength(verdict.horizon, 2));
 }
 
 /// Returns the badge of the robot's answer; CLEAR reaches to the nearer horizon of both sides.
@@ -153,10 +156,11 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     question_->setObjectName(QStringLiteral("verdictQuestion"));
     question_->setWordWrap(true);
     setTip(*question_,
-           tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
-              "anywhere from %1 to %2 m ahead of the IMU")
-               .arg(format::number(binBegin(kFirstAhead), 2), format::number(binEnd(kBins - 1), 2),
-                    format::number(kStepBins * kBinWidth, 1)));
+           tr("A step: two bins at most %3 apart that differ in height by more than the limit, "
+              "anywhere from %1 to %2 ahead of the IMU")
+               .arg(format::lengthNumber(binBegin(kFirstAhead), 2),
+                    format::length(binEnd(kBins - 1), 2),
+                    format::length(kStepBins * kBinWidth, 1)));
     nameQuestion(false);
     question_->installEventFilter(this);
     reason_ = new PlainLabel(this);
@@ -207,7 +211,7 @@ void VerdictStrip::resizeToFont()
     bold.setBold(true);
     int width = 0;
     for (const QString& word :
-         {tr("✔ CLEAR"), tr("to %1 m").arg(format::signedNumber(binEnd(kBins - 1), 2)),
+         {tr("✔ CLEAR"), tr("to %1").arg(format::signedLength(binEnd(kBins - 1), 2)),
           tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
         width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
     badge_->setMinimumWidth(width + kBadgeFrame);
@@ -238,7 +242,7 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
     switch (verdict.stepVerdict) {
     case StepVerdict::Clear:
         return verdict.touchRecorded
-                 ? tr("✔ CLEAR to %1 m").arg(format::signedNumber(verdict.horizon, 2))
+                 ? tr("✔ CLEAR to %1").arg(format::signedLength(verdict.horizon, 2))
                  : tr("✔ CLEAR");
     case StepVerdict::Blocked: return tr("✘ BLOCKED");
     case StepVerdict::CannotTell: return tr("? CANNOT TELL");
@@ -249,14 +253,13 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
 QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
     if (verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded)
-        return (format::isExtremeProbability(verdict.toHorizon.p)
-                    ? tr("P(step > %1 m to %2 m): %3")
-                    : tr("P(step > %1 m to %2 m) = %3"))
-            .arg(format::number(limit, 2), format::signedNumber(verdict.horizon, 2),
+        return (format::isExtremeProbability(verdict.toHorizon.p) ? tr("P(step > %1 to %2): %3")
+                                                                  : tr("P(step > %1 to %2) = %3"))
+            .arg(format::length(limit, 2), format::signedLength(verdict.horizon, 2),
                  format::probability(verdict.toHorizon.p, verdict.toHorizon.monteCarloSd));
-    return (format::isExtremeProbability(verdict.step.p) ? tr("P(step > %1 m ahead): %2")
-                                                         : tr("P(step > %1 m ahead) = %2"))
-        .arg(format::number(limit, 2),
+    return (format::isExtremeProbability(verdict.step.p) ? tr("P(step > %1 ahead): %2")
+                                                         : tr("P(step > %1 ahead) = %2"))
+        .arg(format::length(limit, 2),
              format::probability(verdict.step.p, verdict.step.monteCarloSd));
 }
 
@@ -366,8 +369,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 void VerdictStrip::setNothing(const QString& why)
 {
     nameQuestion(false);
-    question_->setText(
-        tr("Is there a step of more than %1 m ahead?").arg(format::number(limit_, 2)));
+    question_->setText(tr("Is there a step of more than %1 ahead?").arg(format::length(limit_, 2)));
     setTone(*question_, Tone::Strong);
     setTone(*reason_, Tone::Muted);
     reason_->setText(why);
@@ -395,9 +397,9 @@ void VerdictStrip::setLimit(double metres)
     const bool lowest = limit_ <= kMinLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
-    setTip(*lower_, lowest ? tr("%1 m is the lowest limit").arg(format::number(kMinLimit, 2))
+    setTip(*lower_, lowest ? tr("%1 is the lowest limit").arg(format::length(kMinLimit, 2))
                            : tr("Lowers the step limit (PgDown)"));
-    setTip(*raise_, highest ? tr("%1 m is the highest limit").arg(format::number(kGreatestLimit, 2))
+    setTip(*raise_, highest ? tr("%1 is the highest limit").arg(format::length(kGreatestLimit, 2))
                             : tr("Raises the step limit (PgUp)"));
 }
 

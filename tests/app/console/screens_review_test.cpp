@@ -237,7 +237,7 @@ TEST_F(Screens, review)
         press(Qt::Key_E);
         ASSERT_TRUE(eventually([&] { return whatIf.answer().hasValue(); }, 60000));
         picture("what_if_by_another_method",
-                {WhatIfPage::tr("Differs from the recorded estimate by %1 m at most, at bin %2.")});
+                {WhatIfPage::tr("Differs from the recorded estimate by %1 at most, at bin %2.")});
         for (int i = 0; i < 10; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
         press(Qt::Key_F5);
         picture("review_letters_200_percent_page_robot", {QStringLiteral("N")});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/display/format.h"
+#include "app/display/units.h"
 #include "app/mission/bus_text.h"
 #include "app/start/language.h"
 #include "core/atem/arming.h"
@@ -207,6 +208,40 @@ TEST(Languages, fileErrorsAreTranslatedAroundTheirNames)
         }
     }
     installLanguage(*qApp, "en");
+}
+
+TEST(UnitsOf, messagesAreConvertedForPeopleOnly)
+{
+    const auto shown = [](const char* sentence, const auto&... arguments) {
+        return translated(Message(SourceText{"core", sentence}, arguments...)).toStdString();
+    };
+    const Message roll(SourceText{"core", "roll %1 at %2"}, "+5.0°", "0.6 m");
+    EXPECT_EQ(translated(roll), QString::fromUtf8("roll +5.0° at 0.6 m"));
+    setUnits({LengthUnit::Centimetre, AngleUnit::Radian});
+    EXPECT_EQ(translated(roll), "roll +0.087 rad at 60 cm");
+    EXPECT_EQ(roll.english(), "roll +5.0° at 0.6 m") << "what a recording holds";
+    EXPECT_EQ(shown("known to ± %1 m or better", "0.06"), "known to ± 6 cm or better");
+    EXPECT_EQ(shown("arm: %1 m", "\u22120.123"), "arm: \u221212.3 cm");
+    EXPECT_EQ(shown("%1 · %2 m · %3 m/min, %4 mm", "x", "1.25", "0.5", "3"),
+              "x · 125 cm · 0.5 m/min, 3 mm");
+    EXPECT_EQ(shown("drive 0.1 m on, %1 minutes", "5"), "drive 10 cm on, 5 minutes");
+    EXPECT_EQ(shown("file %1 m", "a.csv"), "file a.csv m") << "no number";
+    setUnits({});
+}
+
+TEST(UnitsOf, numbersKeepTheirResolution)
+{
+    EXPECT_EQ(format::length(0.1, 2), "0.10 m");
+    EXPECT_EQ(format::binName(9), "0.6 m");
+    EXPECT_EQ(format::angle(0.1), QString::fromUtf8("+5.7°"));
+    setUnits({LengthUnit::Centimetre, AngleUnit::Radian});
+    EXPECT_EQ(format::length(0.1, 2), "10 cm");
+    EXPECT_EQ(format::signedLength(0.1234, 3), "+12.3 cm");
+    EXPECT_EQ(format::binName(9), "60 cm");
+    EXPECT_EQ(format::angle(0.1), "+0.100 rad");
+    EXPECT_EQ(format::plainAngle(0.4363, 0), "0.44 rad");
+    EXPECT_EQ(format::degrees(0.1), QString::fromUtf8("+5.7°")) << "of a message";
+    setUnits({});
 }
 
 }  // namespace

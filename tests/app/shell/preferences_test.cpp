@@ -32,6 +32,7 @@ Preferences unlikeTheDefaults()
     p.theme = ThemeName::NightRed;
     p.fontScale = 130;
     p.language = "cs";
+    p.units = {LengthUnit::Centimetre, AngleUnit::Radian};
     p.layout = Layout::Review;
     p.sound = false;
     p.contactSound = 20;
@@ -114,6 +115,8 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     for (const char* key : {"theme",
                             "font-scale",
                             "language",
+                            "length-unit",
+                            "angle-unit",
                             "layout",
                             "sound",
                             "obstacle-limit",

@@ -1,6 +1,7 @@
 // Tests that a theme changes every pixel at once and back.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <algorithm>
 
@@ -53,6 +54,8 @@ TEST_F(Look, aNumberBoxHasAVisibleFrameInEveryTheme)
         const QImage image = gui::painted(box);
         for (const QPoint& edge : {QPoint(30, 0), QPoint(30, 39), QPoint(0, 20), QPoint(199, 20)})
             EXPECT_EQ(image.pixelColor(edge), theme().muted) << edge.x() << ' ' << edge.y();
+        QCheckBox check;
+        EXPECT_GT(gui::pixelsOf(gui::painted(check), theme().muted), 20) << "not checked";
     }
     applyLook(*qApp);
 }
