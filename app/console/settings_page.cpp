@@ -76,6 +76,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
         form->setHorizontalSpacing(16);
         form->setVerticalSpacing(8);
         form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        form->setRowWrapPolicy(QFormLayout::WrapLongRows);  // on a small screen
         made->body()->addLayout(form);
         made->body()->addStretch(1);
         return std::pair(made, form);

@@ -238,6 +238,7 @@ void browseSessions(QWidget& parent, BrowserWish wish)
         browser->resize(wanted);
     }
     browser->show();
+    browser->activateWindow();
 }
 
 }  // namespace terratact

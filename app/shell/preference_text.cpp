@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/display/format.h"
+#include "app/display/units.h"
 #include "app/shell/pad_text.h"
 
 namespace terratact {
@@ -65,7 +66,8 @@ QString shownText(const PreferenceValue& value)
 {
     const QString unit = QLatin1String(value.unit);
     if (unit == QLatin1String("rad")) return format::plainAngle(value.text.toDouble());
-    if (unit == QLatin1String("m")) return format::length(value.text.toDouble(), 2);
+    if (unit == QLatin1String("m") && units().length == LengthUnit::Centimetre)
+        return format::significant(100.0 * value.text.toDouble(), 6) + QStringLiteral(" cm");
     if (!unit.isEmpty()) return value.text + QLatin1Char(' ') + unit;
     if (value.text == QLatin1String("true"))
         return QCoreApplication::translate("PreferenceText", "yes");

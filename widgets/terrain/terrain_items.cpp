@@ -169,8 +169,11 @@ std::vector<BinZones::Zone> BinZones::zonesOn(const QwtScaleMap& x, const QRectF
     return zones;
 }
 
-void BinZones::drawWords(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const
+void BinZones::drawWords(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                         const QRectF& canvas) const
 {
+    imu_ = {QPointF(x.transform(0.0) - scaled(40), y.transform(0.0) - scaled(10)),
+            QPointF(x.transform(0.0) + scaled(8), y.transform(0.0) + scaled(10))};
     words_.clear();
     painter.setFont(sized(plot()->font(), 13));
     painter.setPen(theme().doubt);
@@ -216,7 +219,7 @@ void BinZones::drawWord(QPainter& painter, const Zone& zone, const QRectF& canva
                  zone.place.top() + 5.0 + lineOf(zone.kind.shown()) * scaled(20), width + 4.0,
                  scaled(20));
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
-    if (light) place = free(place, canvas);
+    place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);
     painter.drawText(place, Qt::AlignCenter, label);
     words_.push_back(place);
@@ -226,8 +229,9 @@ void BinZones::drawWord(QPainter& painter, const Zone& zone, const QRectF& canva
 QRectF BinZones::free(QRectF place, const QRectF& canvas) const
 {
     const auto isTaken = [&] {
-        return std::ranges::any_of(words_,
-                                   [&](const QRectF& word) { return word.intersects(place); });
+        return imu_.intersects(place) || std::ranges::any_of(words_, [&](const QRectF& word) {
+                   return word.intersects(place);
+               });
     };
     const QRectF first = place;
     while (isTaken()) {
@@ -264,7 +268,7 @@ void BinZones::drawHorizonWord(QPainter& painter, const Unfelt& side, const QStr
         letter + TerrainProfileView::tr("felt to %1").arg(format::signedLength(*side.horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
     QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
-    if (light) place = free(place, canvas);
+    place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);
     painter.drawText(place, Qt::AlignCenter, label);
     words_.push_back(place);
@@ -277,10 +281,10 @@ ZoneWords::ZoneWords(const BinZones& zones) : zones_(zones)
     setItemAttribute(QwtPlotItem::Legend, false);
 }
 
-void ZoneWords::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+void ZoneWords::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
                      const QRectF& canvas) const
 {
-    zones_.drawWords(*painter, x, canvas);
+    zones_.drawWords(*painter, x, y, canvas);
 }
 
 ArmMark::ArmMark(const BinZones& zones) : QwtPlotItem(QwtText("arm")), zones_(zones)

@@ -82,7 +82,8 @@ public:
     bool isShown() const;
     /// Returns the rectangles of the words in the last drawing [px].
     const std::vector<QRectF>& words() const { return words_; }
-    void drawWords(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const;
+    void drawWords(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                   const QRectF& canvas) const;
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
@@ -112,6 +113,7 @@ private:
     QRectF free(QRectF place, const QRectF& canvas) const;
 
     mutable std::vector<QRectF> words_;
+    mutable QRectF imu_;  ///< the IMU's mark and word, which no word covers
 };
 
 /// The words of the zones, above the robot. The zones must outlive it.

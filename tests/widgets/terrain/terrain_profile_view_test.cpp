@@ -170,9 +170,12 @@ TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
                     view.setArmTip(ArmTip{.state = state, .bin = bin, .height = 0.1});
                     ASSERT_FALSE(painted(*view.canvas()).isNull());
                     ASSERT_FALSE(zones->words().empty());
-                    for (const QRectF& word : zones->words())
+                    for (const QRectF& word : zones->words()) {
                         EXPECT_FALSE(word.intersects(arm->word()))
                             << size.width() << " px, felt to bin " << felt << ", arm at " << bin;
+                        EXPECT_FALSE(word.contains(view.pixelOf(0.0, 0.0)))
+                            << size.width() << " px, felt to bin " << felt << ": over the IMU";
+                    }
                     EXPECT_TRUE(QRectF(view.canvas()->rect()).contains(arm->word()));
                 }
         }
@@ -248,7 +251,7 @@ TEST_F(TerrainView, rememberedGroundIsDashedInABandWithItsDistance)
     EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "in its band";
     EXPECT_EQ(colourAt(view, 0.6, -0.05), theme().card) << "nothing where nothing was estimated";
     EXPECT_TRUE(view.accessibleDescription().contains(
-        QStringLiteral("0.20 m driven since · heights ± 3 cm")));
+        QStringLiteral("0.20 m driven since · heights ± 0.03 m")));
     view.setRemembered({}, "Nothing is remembered here: the robot has turned");
     EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
     view.setRemembered({});
