@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Prints the table of docs/console.md: what a scripted operator needs for each task.
+"""Prints the table of docs/operator_tasks.md: what a scripted operator needs for each task.
 
 Usage: docs/operator_tasks.py build/release/app/terratact-console [PART OF A TASK'S NAME]
 It uses an X server, mouse and keys as tests/app/operator_test.py does, with the simulated robot. Each letter that is typed
