@@ -74,7 +74,7 @@ QString whyNoProbe(const TerrainViewState& viewState)
         if (viewState.estimate && !viewState.proposal)
             return TerrainPage::tr("No probe: the estimate is certain without the arm.");
     }
-    if (showsWorth(viewState)) return {};  // the card's header says it
+    if (showsWorth(viewState)) return TerrainPage::tr("No probe is proposed; what one would tell:");
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");

@@ -8152,8 +8152,8 @@ F1</translation>
         <translation>Rameno sonduje %1</translation>
     </message>
     <message>
-        <source>no probe is proposed; what one would tell:</source>
-        <translation>žádná sonda není navržena; co by zjistila:</translation>
+        <source>no probe is proposed</source>
+        <translation>žádná sonda není navržena</translation>
     </message>
 </context>
 <context>
@@ -10721,6 +10721,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>an estimate of the past</source>
         <translation>minulý odhad</translation>
+    </message>
+    <message>
+        <source>No probe is proposed; what one would tell:</source>
+        <translation>Rameno se nenabízí; co by zjistilo:</translation>
     </message>
 </context>
 <context>

@@ -8151,8 +8151,8 @@ F1</translation>
         <translation>Der Arm sondiert: %1</translation>
     </message>
     <message>
-        <source>no probe is proposed; what one would tell:</source>
-        <translation>keine Sonde vorgeschlagen; was eine ergäbe:</translation>
+        <source>no probe is proposed</source>
+        <translation>keine Sonde vorgeschlagen</translation>
     </message>
 </context>
 <context>
@@ -10720,6 +10720,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>an estimate of the past</source>
         <translation>eine frühere Schätzung</translation>
+    </message>
+    <message>
+        <source>No probe is proposed; what one would tell:</source>
+        <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
     </message>
 </context>
 <context>

@@ -190,9 +190,7 @@ int ProbeCard::leastHeight() const
 {
     const QSize buttons =
         answers_->layout()->totalMinimumSize();  // the buttons are hidden or shown together
-    const int second = note()->text().contains(u'\n') ? note()->fontMetrics().lineSpacing() : 0;
-    return frameHeight() - second + facts_->minimumSizeHint().height() + kProbeGap
-         + buttons.height();
+    return frameHeight() + facts_->minimumSizeHint().height() + kProbeGap + buttons.height();
 }
 
 int ProbeCard::givenHeight() const
@@ -262,8 +260,7 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
     proposal_.reset();
     worth_ = probe;
     whyNotAsked_ = why;
-    QString note = tr("no probe is proposed; what one would tell:");
-    setNote(note.replace(QStringLiteral("; "), QStringLiteral(";\n")), Tone::Muted);
+    setNote(tr("no probe is proposed"), Tone::Muted);
     showFacts();
     showPage(kQuestion);
 }

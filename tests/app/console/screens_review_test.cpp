@@ -174,8 +174,8 @@ TEST_F(Screens, training)
         page.compareButton()->click();
         ASSERT_TRUE(eventually([&] { return page.adoptButton()->isEnabled(); }, kPatience))
             << page.status()->text().toStdString();
-        picture("training_compared",
-                {TrainingPage::tr("compared"), TrainingPage::tr("Compared on %1 scenes")});
+        picture("training_compared", {TrainingPage::tr("Idle · done (log-likelihood %1)"),
+                                      TrainingPage::tr("Compared on %1 scenes")});
     });
 }
 

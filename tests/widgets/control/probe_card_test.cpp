@@ -218,7 +218,7 @@ TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
         card.setTimeLeft(23.4);
         card.setWorth(kProposal, "approved elsewhere");
         EXPECT_TRUE(card.showsWorth());
-        EXPECT_EQ(card.note()->text(), "no probe is proposed;\nwhat one would tell:");
+        EXPECT_EQ(card.note()->text(), "no probe is proposed");
         EXPECT_FALSE(card.asks());
         EXPECT_FALSE(card.shown());
         const QString text = allText();
