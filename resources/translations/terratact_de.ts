@@ -251,11 +251,11 @@
     <name>Format</name>
     <message>
         <source>more than %1</source>
-        <translation>mehr als %1</translation>
+        <translation>über %1</translation>
     </message>
     <message>
         <source>less than %1</source>
-        <translation>weniger als %1</translation>
+        <translation>unter %1</translation>
     </message>
 </context>
 <context>

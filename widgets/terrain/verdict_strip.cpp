@@ -25,12 +25,19 @@ namespace {
 
 constexpr int kBadgeFrame = 16;  // [px] between the badge's edge and its word
 
+/// Returns a probability for a bracket: "0.29", "> 0.99".
+QString shortProbability(double p)
+{
+    if (!format::isExtremeProbability(p)) return format::number(p, 2);
+    return p > 0.5 ? QStringLiteral("> 0.99") : QStringLiteral("< 0.01");
+}
+
 QString likeliestText(const Verdict& verdict)
 {
     return VerdictStrip::tr("most likely at %1 … %2 (%3)")
         .arg(format::signedLengthNumber(binCentre(verdict.likeliest), 1),
              format::signedLength(binCentre(verdict.likeliest + 1), 1),
-             format::probability(verdict.likeliestP));
+             shortProbability(verdict.likeliestP));
 }
 
 QString unfeltText(const std::vector<int>& bins)
