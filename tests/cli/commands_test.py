@@ -182,8 +182,8 @@ class Commands(unittest.TestCase):
         simulate = ("simulate", "--terrain", "varied", "--drives", 22, "--spacing", 0.1, "--exact-truth", "--seed", 4)
         run(*simulate, "--out", drives)
         run(*simulate, "--tracks", "--out", tracks)
-        train = ("train", "--drives", drives, "--track-drives", tracks, "--networks", 2, "--epochs", 4)
-        self.assertIn("2 of one plane, 2 of two tracks", run(*train, "--out", networks))
+        train = ("train", "--drives", drives, "--track-drives", tracks, "--networks", 1, "--epochs", 2)
+        self.assertIn("1 of one plane, 1 of two tracks", run(*train, "--out", networks))
         learnt = networks.read_bytes()
         run(*train, "--out", networks)
         self.assertEqual(learnt, networks.read_bytes(), "the same drives and seed")
@@ -198,7 +198,7 @@ class Commands(unittest.TestCase):
         complaint("evaluate", "--data", self.data, code=2)
 
     def test_faults_prints_which_faults_are_noticed(self):
-        text = run("faults", "--model", self.model, "--drives", 2)
+        text = run("faults", "--model", self.model, "--drives", 1)
         rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}
         self.assertEqual(float(rows_["none"][2]), 0.0, "no scene of a sound robot is suspect")
         self.assertEqual(float(rows_["pitch stuck at 0"][2]), 100.0)

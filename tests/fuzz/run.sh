@@ -5,10 +5,11 @@
 # in the repository and from earlier findings (build/fuzz/corpora). A program fails if it crashes, violates a promise,
 # needs over 2 s for one input or over 256 MiB. The script names the input; the program reproduces the failure with that
 # file as argument. TERRATACT_FUZZ_JOBS: number of parallel programs. TERRATACT_FUZZ_TIMEOUT: replaces the 2 s of
-# wall-clock time on a busy machine.
+# wall-clock time on a busy machine. TERRATACT_FUZZ_BUILD: replaces build/fuzz; build/dev has the same programs, but there
+# libFuzzer does not see comparisons, so it finds rare inputs later.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-build=build/fuzz
+build=${TERRATACT_FUZZ_BUILD:-build/fuzz}
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [TARGET...]}
 shift
 targets=("$@")

@@ -17,8 +17,8 @@
 #include <fstream>
 #include <thread>
 
-#include "app/cli/session_commands.h"
 #include "app/recording/session_folder.h"
+#include "app/recording/session_merge.h"
 #include "app/runtime/steady_now.h"
 #include "core/log/session_reader.h"
 #include "tests/support/session_paths.h"
@@ -337,7 +337,7 @@ TEST_F(Recorder, everyFileBeginsWithThePresentState)
     EXPECT_NE(next->estimate(1), nullptr);
 
     const std::string merged = folder + "/both.tts";
-    ASSERT_TRUE(mergeSessions({.files = files, .out = merged}));
+    ASSERT_TRUE(mergeSessionFiles(files, merged));
     const auto whole = SessionReader::open(merged);
     ASSERT_TRUE(whole) << whole.error().text;
     const auto& events = whole->events();
