@@ -18,14 +18,16 @@ Vec2 minus(Vec2 a, Vec2 b)
     return {a.x - b.x, a.z - b.z};
 }
 
-std::optional<Penetration> inCircle(Vec2 centre, double radius, Vec2 q)
+bool inCircle(Vec2 centre, double radius, Vec2 q, Penetration& found)
 {
     const Vec2 r = minus(q, centre);
     const double length2 = dotProduct(r, r);
-    if (length2 >= radius * radius) return std::nullopt;
-    const double length = std::sqrt(length2);
-    const Vec2 normal = length > 0.0 ? Vec2{r.x / length, r.z / length} : Vec2{0.0, -1.0};
-    return Penetration{normal, radius - length, length};
+    if (length2 >= radius * radius) return false;
+    found.toCentre = std::sqrt(length2);
+    found.depth = radius - found.toCentre;
+    found.normal.x = found.toCentre > 0.0 ? r.x / found.toCentre : 0.0;
+    found.normal.z = found.toCentre > 0.0 ? r.z / found.toCentre : -1.0;
+    return true;
 }
 
 }  // namespace
@@ -42,25 +44,26 @@ SkinHull::SkinHull(const TaperedHull& hull, double skin)
 }
 
 /// Uses the straight side if the point projects onto it, else the circle of the nearer end.
-std::optional<Penetration> SkinHull::penetration(Vec2 p) const
+bool SkinHull::penetration(Vec2 p, Penetration& found) const
 {
-    if (p.z < zBegin_) return std::nullopt;
+    if (p.z < zBegin_) return false;
     if (disc_)
-        return hull_.ra >= hull_.rb ? inCircle(hull_.a, hull_.ra, p)
-                                    : inCircle(hull_.b, hull_.rb, p);
+        return hull_.ra >= hull_.rb ? inCircle(hull_.a, hull_.ra, p, found)
+                                    : inCircle(hull_.b, hull_.rb, p, found);
     const Vec2 r = minus(p, hull_.a);
     const double along = dotProduct(r, axis_);
     const double across = r.z * axis_.x - r.x * axis_.z;
     const double onSide = cosine_ * along - sine_ * std::abs(across);
-    if (onSide < 0.0) return inCircle(hull_.a, hull_.ra, p);
-    if (onSide > cosine_ * length_) return inCircle(hull_.b, hull_.rb, p);
+    if (onSide < 0.0) return inCircle(hull_.a, hull_.ra, p, found);
+    if (onSide > cosine_ * length_) return inCircle(hull_.b, hull_.rb, p, found);
     const double depth = hull_.ra - sine_ * along - cosine_ * std::abs(across);
-    if (depth <= 0.0) return std::nullopt;
+    if (depth <= 0.0) return false;
     const double side = across < 0.0 ? -1.0 : 1.0;
-    return Penetration{
-        {sine_ * axis_.x - side * cosine_ * axis_.z, sine_ * axis_.z + side * cosine_ * axis_.x},
-        depth,
-        0.0};
+    found.normal.x = sine_ * axis_.x - side * cosine_ * axis_.z;
+    found.normal.z = sine_ * axis_.z + side * cosine_ * axis_.x;
+    found.depth = depth;
+    found.toCentre = 0.0;
+    return true;
 }
 
 SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
@@ -85,16 +88,18 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
     }
 }
 
-std::optional<Penetration> SkinPolygon::penetration(Vec2 p) const
+bool SkinPolygon::penetration(Vec2 p, Penetration& found) const
 {
-    if (p.z < zBegin_ || edges_.empty()) return std::nullopt;
-    Penetration nearest{{}, std::numeric_limits<double>::infinity(), 0.0};
+    if (p.z < zBegin_ || edges_.empty()) return false;
+    found.depth = std::numeric_limits<double>::infinity();
+    found.toCentre = 0.0;
     for (const Edge& edge : edges_) {
         const double depth = skin_ - dotProduct(edge.normal, minus(p, edge.corner));
-        if (depth < nearest.depth) nearest = {edge.normal, depth, 0.0};
+        if (depth >= found.depth) continue;
+        found.normal = edge.normal;
+        found.depth = depth;
     }
-    if (nearest.depth <= 0.0) return std::nullopt;
-    return nearest;
+    return found.depth > 0.0;
 }
 
 }  // namespace terratact

@@ -17,6 +17,7 @@
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/kinematic_reconstruction.h"
 #include "tests/support/absolem.h"
+#include "tests/support/skin_hits.h"
 
 namespace terratact {
 namespace {
@@ -205,19 +206,19 @@ TEST(SkinHull, isADiscIfOneCircleContainsTheOther)
     for (const TaperedHull& hull : {TaperedHull{{0.0, 0.0}, {0.05, 0.0}, 0.2, 0.1},
                                     TaperedHull{{0.05, 0.0}, {0.0, 0.0}, 0.1, 0.2},
                                     TaperedHull{{0.0, 0.0}, {0.0, 0.0}, 0.2, 0.2}}) {
-        const auto hit = SkinHull(hull, 0.001).penetration({0.0, -0.19});
+        const auto hit = hitOf(SkinHull(hull, 0.001), {0.0, -0.19});
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->depth, 0.011, 1e-12);
         EXPECT_NEAR(hit->normal.z, -1.0, 1e-12);
-        EXPECT_FALSE(SkinHull(hull, 0.001).penetration({0.0, -0.21}));
+        EXPECT_FALSE(hitOf(SkinHull(hull, 0.001), {0.0, -0.21}));
     }
 }
 
 TEST(SkinPolygon, withoutAnAreaIsNoNaN)
 {
-    EXPECT_FALSE(SkinPolygon({{0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}}, 0.001).penetration({0.1, 0.1}));
+    EXPECT_FALSE(hitOf(SkinPolygon({{0.1, 0.1}, {0.1, 0.1}, {0.1, 0.1}}, 0.001), {0.1, 0.1}));
     const SkinPolygon doubled({{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, 0.001);
-    const auto hit = doubled.penetration({0.5, 0.01});
+    const auto hit = hitOf(doubled, {0.5, 0.01});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->depth, 0.011, 1e-12);
 }

@@ -6,23 +6,25 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/skin_hits.h"
+
 namespace terratact {
 namespace {
 
 TEST(SkinHull, isEnteredByTheDepthBelowItsSurface)
 {
     const SkinHull disc({{0.0, 1.0}, {1.0, 1.0}, 0.1, 0.1}, 0.001);
-    const auto hit = disc.penetration({0.4, 0.95});
+    const auto hit = hitOf(disc, {0.4, 0.95});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->depth, 0.051, 1e-12);
     EXPECT_NEAR(hit->normal.z, -1.0, 1e-12);
-    EXPECT_FALSE(disc.penetration({0.4, 0.8989}));
+    EXPECT_FALSE(hitOf(disc, {0.4, 0.8989}));
 }
 
 TEST(SkinHull, isLeftThroughItsNoseByAPointOnAFace)
 {
     const SkinHull hull({{0.0, 0.0}, {0.3, 0.0}, 0.09, 0.03}, 0.0);
-    const auto hit = hull.penetration({0.325, 0.0});
+    const auto hit = hitOf(hull, {0.325, 0.0});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->depth, 0.005, 1e-12);
     EXPECT_NEAR(hit->normal.x, 1.0, 1e-12);
@@ -38,7 +40,7 @@ TEST(SkinHull, depthIsTheDistanceToTheNearestPointOutside)
     int inside = 0;
     for (int k = 0; k < 2000; ++k) {
         const Vec2 p{u(rng), u(rng)};
-        const auto hit = SkinHull(shape, 0.0).penetration(p);
+        const auto hit = hitOf(SkinHull(shape, 0.0), p);
         if (!hit || hit->depth > 0.025) continue;
         ++inside;
         EXPECT_NEAR(std::hypot(hit->normal.x, hit->normal.z), 1.0, 1e-12);
@@ -48,7 +50,7 @@ TEST(SkinHull, depthIsTheDistanceToTheNearestPointOutside)
                                     {shape.b.x + d.x, shape.b.z + d.z},
                                     shape.ra,
                                     shape.rb};
-            const auto again = SkinHull(moved, 0.0).penetration(p);
+            const auto again = hitOf(SkinHull(moved, 0.0), p);
             return again ? again->depth : 0.0;
         };
         EXPECT_NEAR(depthAfter(hit->depth + 1e-9), 0.0, 1e-9);
@@ -63,11 +65,11 @@ TEST(SkinPolygon, isEnteredAtItsNearestEdgeInEitherDirection)
         std::vector<Vec2> box{{-0.3, 0.1}, {0.1, 0.1}, {0.1, 0.2}, {-0.3, 0.2}};
         if (reversed) std::reverse(box.begin(), box.end());
         const SkinPolygon polygon(box, 0.001);
-        const auto hit = polygon.penetration({-0.2, 0.11});
+        const auto hit = hitOf(polygon, {-0.2, 0.11});
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->depth, 0.011, 1e-12);
         EXPECT_NEAR(hit->normal.z, -1.0, 1e-12);
-        EXPECT_FALSE(polygon.penetration({-0.2, 0.098}));
+        EXPECT_FALSE(hitOf(polygon, {-0.2, 0.098}));
     }
 }
 
