@@ -31,6 +31,26 @@ std::size_t cellsUnder(const RobotModel& robot)
     return static_cast<std::size_t>(std::lround(2.0 * half / kTruthCell));
 }
 
+/// Cells of a line from `begin` to before `end`.
+struct CellRange {
+    std::size_t begin = 0, end = 0;
+};
+
+/// Returns the cells k whose first + k · step may lie within low … high, with one more at both ends for rounding.
+CellRange cellsWithin(double first, double step, double low, double high, std::size_t cells)
+{
+    constexpr double kLevel = 1e-9;  // [m] of a step: the line is parallel to the part
+    const auto all = static_cast<double>(cells);
+    if (std::abs(step) < kLevel) {
+        const double slack = kLevel * all;
+        const bool isBeside = first < low - slack || first > high + slack;
+        return {0, isBeside ? 0 : cells};
+    }
+    const auto [from, to] = std::minmax({(low - first) / step, (high - first) / step});
+    return {static_cast<std::size_t>(std::clamp(std::floor(from) - 1.0, 0.0, all)),
+            static_cast<std::size_t>(std::clamp(std::ceil(to) + 2.0, 0.0, all))};
+}
+
 /// Returns a number that looks random: splitmix64.
 std::uint64_t scrambled(std::uint64_t n)
 {
@@ -142,13 +162,16 @@ void SceneGrid::lowerCeilingsOf(std::size_t p, const ScenePlace& robotAt,
             robotAt.toDem(place.toCloud({cellX(0), strips_[p].at(i).y, 0.0}));
         const Eigen::Vector3d step =
             robotAt.toDem(place.toCloud({cellX(1), strips_[p].at(i).y, 0.0})) - first;
-        for (std::size_t k = 0; k < cells_; ++k) {
-            const Eigen::Vector3d there = first + static_cast<double>(k) * step;
-            float& ceiling = ceilings_[indexOfCell(p, line, k)];
-            for (const PartTable& part : parts)
-                if (std::abs(there.y() - part.y) <= part.half)
-                    ceiling = std::min(ceiling,
-                                       static_cast<float>(part.at(there.x(), begin_) - there.z()));
+        for (const PartTable& part : parts) {
+            const CellRange range =
+                cellsWithin(first.y(), step.y(), part.y - part.half, part.y + part.half, cells_);
+            for (std::size_t k = range.begin; k < range.end; ++k) {
+                const Eigen::Vector3d there = first + static_cast<double>(k) * step;
+                if (std::abs(there.y() - part.y) > part.half) continue;
+                float& ceiling = ceilings_[indexOfCell(p, line, k)];
+                ceiling =
+                    std::min(ceiling, static_cast<float>(part.at(there.x(), begin_) - there.z()));
+            }
         }
     }
 }
