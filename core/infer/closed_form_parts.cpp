@@ -46,8 +46,11 @@ void momentsOf(const GaussianMixture& distribution, int i, std::size_t bin,
     const double first = std::exp(0.5 * variance) * (weight * mean.sinh()).sum();
     const double second =
         0.5 * (std::exp(2.0 * variance) * (weight * (2.0 * mean).cosh()).sum() - 1.0);
-    estimate.mean[bin] = estimate.ceiling[bin]
-                       - std::clamp(kSurfaceScale * first, -kDeepestSinking, kDeepestSurface);
+    // An infinite depth stays: it is a wrong model's, and the estimate is refused.
+    const double depth = kSurfaceScale * first;
+    estimate.mean[bin] =
+        estimate.ceiling[bin]
+        - (std::isfinite(depth) ? std::clamp(depth, -kDeepestSinking, kDeepestSurface) : depth);
     const double sd = kSurfaceScale * std::sqrt(std::max(second - first * first, 0.0));
     estimate.sd[bin] = sd < kDeepestSurface ? sd : kDeepestSurface;  // also of an overflow
 }

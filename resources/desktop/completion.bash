@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | "session report":--mission | \
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
@@ -125,7 +125,7 @@ _terratact_options() {
     evaluate) echo --robot --model --data --drives --trail --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
       "$estimates" ;;
     strip) echo --robot --model --terrain --drives --spacing --step --blocks --seed --method ;;
-    hazards) echo --robot --model --drives --step-limit --rates --tracks --memory --seed --method ;;
+    hazards) echo --robot --model --drives --step-limit --rates --tracks --memory --manoeuvres --seed --method ;;
     feel-forward) echo --robot --model --drives --step-limit --estimate-seconds --blind --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;

@@ -161,7 +161,7 @@ TEST(BusState, everyOneHasASentenceWithTheBusInIt)
     for (const BusState state :
          {BusState::Up, BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
           BusState::BusOff, BusState::Down, BusState::Absent, BusState::Ended})
-        EXPECT_TRUE(describe(state, "can7").english().starts_with("can7 "))
+        EXPECT_TRUE(describe(state, "can7").english().starts_with("can7"))
             << describe(state, "can7").english();
     EXPECT_NE(
         describe(BusState::Absent, "vcan0").english().find("sudo ip link add dev vcan0 type vcan"),

@@ -85,10 +85,10 @@ private:
     {
         // Names, units and words that the languages share.
         static const QSet<QString> kSame{
-            "SQLite",  "TOML",   "Terratact",   "ISO",   "IEEE",   "CAN",
-            "DBC",     "FD",     "ERRORFRAME",  "float", "double", "little-endian",
-            "rad",     "in",     "model",       "text",  "bit",    "flipper",
-            "program", "offset", "multiplexor", "CSV",   "PDF",    "gzip"};
+            "SQLite",      "TOML",  "Terratact",  "ISO",   "IEEE",    "CAN",           "DBC",
+            "FD",          "XL",    "ERRORFRAME", "float", "double",  "little-endian", "rad",
+            "in",          "model", "text",       "bit",   "flipper", "program",       "offset",
+            "multiplexor", "CSV",   "PDF",        "gzip"};
         const QStringList left = plainWords(translated);
         QStringList found;
         for (const QString& word : plainWords(english))
