@@ -24,7 +24,7 @@ inline Eigen::MatrixXd ceilingsOf(const RobotModel& robot, const Eigen::MatrixXd
 inline ClearanceTraining campaignTraining(int runs = 12, std::uint64_t seed = 1)
 {
     const ModelData model = prepareTraining(someScenes(runs, seed)).model;
-    return {model.heights, ceilingsOf(absolem(), model.features), model.features};
+    return {model.heights, ceilingsOf(absolem(), model.features), model.features, {}};
 }
 
 /// Returns plausible hyper-parameters, not optimised, for every bin and regime with enough rows.
