@@ -20,12 +20,13 @@ namespace {
 
 constexpr auto kManoeuvreNames = namesOf<Manoeuvre>("curve", "turn", "reverse", "probe", "mixed");
 
-constexpr double kBehindRobot = -1.0, kAheadOfRobot = 1.7;  // [m] of ground that a pose needs
-constexpr double kCut = 0.01;                               // [m] between two points of a line
-constexpr double kStop = 0.1, kOnTheWay = 0.033;            // [m]
-constexpr double kTurnStep = 0.05;                          // [rad] between two lines
-constexpr double kTurnSpeed = 0.3;                          // [rad/s]
-constexpr double kPast = 0.6;                               // [m] driven behind a hazard's range
+constexpr double kBehindRobot = -1.0;             // [m] where the ground that a pose needs begins
+constexpr double kCut = 0.01;                     // [m] between two points of a line
+constexpr int kCuts = 270;                        // to 1.7 m ahead
+constexpr double kStop = 0.1, kOnTheWay = 0.033;  // [m]
+constexpr double kTurnStep = 0.05;                // [rad] between two lines
+constexpr double kTurnSpeed = 0.3;                // [rad/s]
+constexpr double kPast = 0.6;                     // [m] driven behind a hazard's range
 constexpr int kMaxStops = 60;
 constexpr double kArmDepth = 0.8;  // [m] below the IMU: deeper ground is beyond the arm's reach
 constexpr double kBendPerStop = 0.031;  // [rad] 0.1 rad within 0.3 m ends the memory
@@ -141,9 +142,12 @@ private:
         const double c = std::cos(pose_.heading), s = std::sin(pose_.heading);
         for (const double y : ys_) {
             std::vector<Vec2> points;
-            for (double x = kBehindRobot; x < kAheadOfRobot; x += kCut)
-                points.insert(points.end(), {x, ground_.heightAt(pose_.x + x * c - y * s,
-                                                                 pose_.y + x * s + y * c)});
+            points.reserve(kCuts);
+            for (int i = 0; i < kCuts; ++i) {
+                const double x = kBehindRobot + i * kCut;
+                points.push_back(
+                    {x, ground_.heightAt(pose_.x + x * c - y * s, pose_.y + x * s + y * c)});
+            }
             lines.push_back({y, TerrainProfile(std::move(points))});
         }
         return GroundLines(std::move(lines));

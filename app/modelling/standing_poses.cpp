@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
@@ -82,7 +81,8 @@ Status addLines(const std::string& path, const RobotModel& robot, std::vector<St
                 if (lines.empty() || row.time >= lines.back().time) lines.push_back({row.time, *m});
     if (lines.empty())
         return fileError(path, "holds no line of telemetry, expected a drive over a flat floor");
-    for (StandingPose& pose : standingPoses(lines)) poses.push_back(std::move(pose));
+    const std::vector<StandingPose> found = standingPoses(lines);
+    poses.insert(poses.end(), found.begin(), found.end());
     return Done{};
 }
 

@@ -303,7 +303,7 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
     if (sides) model.sides = readSides(file);
     if (content.heightSd) model.heightSd = readMatrix(file, kSdTable, kBins);
     if (content.sideSd)
-        model.sides.heightSd = readMatrix(file, kSideSdTable, kBins, 2 * kKeptScenes);
+        model.sides.heightSd = readMatrix(file, kSideSdTable, kBins, Eigen::Index{2} * kKeptScenes);
     requireModel(model, portion);
     std::string hash = hashOf(model, portion);
     require(hash == stored,
