@@ -324,8 +324,8 @@ private:
         for (std::string& remark : clockRemarks(clock.steps()))
             series_.remarks.push_back(std::move(remark));
         if (clock.isDisordered())
-            series_.remarks.push_back("the messages are not in the order of their times; they "
-                                      "were sorted");
+            series_.remarks.emplace_back("the messages are not in the order of their times; they "
+                                         "were sorted");
     }
 
     static void sort(Series& series) { std::ranges::stable_sort(series, {}, &SeriesSample::time); }
