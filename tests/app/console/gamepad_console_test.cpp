@@ -60,7 +60,8 @@ struct GamepadConsole : BusConsole {
     static void settle() { QTest::qWait(60); }
     void deadMan(bool held) { pad->set(PadAxis::RightTrigger, held ? 1.0 : 0.0); }
     void push(double forward) { pad->set(PadAxis::LeftY, -forward); }
-    bool drives()
+    /// Holds the dead-man, then pushes the stick. A busy console may see both at once, which means nothing.
+    void holdsThenPushes()
     {
         push(0.0);
         deadMan(false);
@@ -68,6 +69,10 @@ struct GamepadConsole : BusConsole {
         deadMan(true);
         settle();
         push(1.0);
+    }
+    bool drives()
+    {
+        holdsThenPushes();
         return eventually([&] { return forward()->isHeld(); }, 3000);
     }
     /// Returns true if the robot was told to halt and the pad, as it is held, drives no more.
@@ -283,13 +288,8 @@ TEST_F(GamepadThroughTheGate, drivesOnlyWhileArmed)
         const auto why = window->exploration().whyNotDriving();
         return why && why->english().starts_with("not armed");
     }));
-    EXPECT_TRUE(inSomeGo([&] {  // the console may see both controls at once, which means nothing
-        push(0.0);
-        deadMan(false);
-        settle();
-        deadMan(true);
-        settle();
-        push(1.0);
+    EXPECT_TRUE(inSomeGo([&] {
+        holdsThenPushes();
         return eventually([&] { return hasEvent("not driven: not armed"); }, 3000);
     }));
     EXPECT_FALSE(robotDoes(RobotActivity::Driving));
