@@ -49,7 +49,8 @@ trap 'rm -f "$page"' EXIT
   echo "    terratact hazards --tracks --memory --drives $remembered"
   echo
   echo 'First come drives that turn, reverse and probe (`app/modelling/manoeuvre_drives.h`). Their ground is known everywhere: a hazard lies across'
-  echo 'the way, or beside it, where a turned robot reaches it with a flipper and a straight one does not.'
+  echo 'the way, or beside it, where a turned robot reaches it with a flipper and a straight one does not. The arm touches a point of a bin. What'
+  echo 'lies between two points, or a point and felt ground, 0.1 m apart at most, counts as felt. A reading far from the estimate counts by itself.'
   echo
   echo '```'
   "$terratact" hazards --tracks --memory --drives "$remembered"

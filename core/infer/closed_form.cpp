@@ -69,12 +69,14 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
     GaussianMixture& distribution = prediction.distribution;
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
     addEarlierArm(measured, prediction.earlier);
-    applyMeasurements(distribution, 0, std::move(measured), prediction.contact, estimate);
+    const auto hazards =
+        applyMeasurements(distribution, 0, std::move(measured), prediction.contact, estimate);
     warnIfNovel(estimate);
     writeBins(distribution, 0, estimate);
     estimate.draws = heightDraws(distribution, estimate, poll);
     writeTouch(estimate, pressedBins(robot, s, estimate.ceiling));
     writeRemembered(estimate, prediction.earlier, robot, s);
+    addMeasuredHazards(estimate, hazards, poll);
     addHazards(estimate, settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
 }

@@ -17,14 +17,46 @@ namespace {
 /// scenes. Only their spread counts then.
 constexpr double kSurprised = 2.0;
 
+/// A measured height as a surface coordinate.
+struct SurfaceReading {
+    double y = 0.0, error = 0.0;
+};
+
+/// A height above the deepest sinking of the robot counts as the deepest sinking.
+SurfaceReading surfaceReading(const MeasuredHeight& measured, double ceiling)
+{
+    const double height = std::min(measured.height, ceiling + kDeepestSinking);
+    const double y = toSurface(height, ceiling);
+    return {y, std::abs(toSurface(height - measured.sd, ceiling) - y)};
+}
+
+/// Returns what a reading of the arm tells of a hazard (hazardProbability()).
+MeasuredHazard hazardBy(const GaussianMixture& distribution, int i, std::size_t bin,
+                        const MeasuredHeight& measured, double ceiling, double rate)
+{
+    const SurfaceReading reading = surfaceReading(measured, ceiling);
+    const bool isCovered = std::isfinite(ceiling);
+    const double median = distribution.quantile(i, 0.5);
+    const double expected = toHeight(median, ceiling);
+    // |dy/dh| of the surface coordinate
+    const double slope =
+        isCovered ? 1.0 / std::hypot(kSurfaceScale, ceiling - measured.height) : 1.0;
+    MeasuredHazard hazard{static_cast<int>(bin), measured.height, measured.sd,
+                          measured.height - expected, 0.0};
+    hazard.probability = hazardProbability(
+        hazard.offset, measured.sd,
+        distribution.logDensity(i, reading.y, reading.error) + std::log(slope), isCovered, rate);
+    return hazard;
+}
+
+/// A hazard more probable than this explains a reading: it tells nothing of the other bins.
+constexpr double kSurelyHazard = 0.95;
+
 /// Conditions the distribution of one bin's surface coordinate.
 void applyMeasurement(GaussianMixture& distribution, int i, const MeasuredHeight& measured,
                       double ceiling)
 {
-    // A height below the deepest sinking of the robot counts as the deepest sinking.
-    const double height = std::min(measured.height, ceiling + kDeepestSinking);
-    const double y = toSurface(height, ceiling);
-    const double error = std::abs(toSurface(height - measured.sd, ceiling) - y);
+    const auto [y, error] = surfaceReading(measured, ceiling);
     if (distribution.surprise(i, y, error) > kSurprised) distribution = distribution.collapsed();
     distribution.condition(i, y, error);
 }
@@ -106,9 +138,13 @@ void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,
     if (any) addRemembered(estimate, earlier.felt, cellsOf(pressedStretches(robot, s)));
 }
 
-void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
-                       const std::optional<ContactError>& contact, TerrainEstimate& estimate)
+std::vector<MeasuredHazard> applyMeasurements(GaussianMixture& distribution, int first,
+                                              MeasuredBins measured,
+                                              const std::optional<ContactError>& contact,
+                                              TerrainEstimate& estimate)
 {
+    std::vector<MeasuredHazard> hazards;
+    hazards.reserve(kBins);
     for (std::size_t i = 0; i < kBins; ++i) {
         if (!measured.bin[i]) continue;
         MeasuredHeight& height = *measured.bin[i];
@@ -117,9 +153,16 @@ void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins me
             if (!contact) continue;
             height = {height.height + contact->bias, contact->sd, Origin::Contact};
         }
-        applyMeasurement(distribution, first + static_cast<int>(i), height, estimate.ceiling[i]);
+        const int coordinate = first + static_cast<int>(i);
+        if (height.origin != Origin::Contact && i >= std::size_t{kFirstAhead}) {
+            hazards.push_back(hazardBy(distribution, coordinate, i, height, estimate.ceiling[i],
+                                       estimate.settings.hazardRate));
+            if (hazards.back().probability > kSurelyHazard) continue;
+        }
+        applyMeasurement(distribution, coordinate, height, estimate.ceiling[i]);
     }
     estimate.warnings = std::move(measured.warnings);
+    return hazards;
 }
 
 void warnIfNovel(TerrainEstimate& estimate)

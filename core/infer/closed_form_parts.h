@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/infer/closed_form.h"
 #include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/hazards.h"
 #include "core/infer/estimate/measured_bins.h"
 #include "core/infer/sampling/gaussian_mixture.h"
 #include "core/learn/model/clearance_model.h"
@@ -30,8 +32,12 @@ void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,
 
 /// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
 /// ceilings must be known. contact: error of a contact; empty: contacts act through the inputs alone.
-void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
-                       const std::optional<ContactError>& contact, TerrainEstimate& estimate);
+/// Returns the hazards that the arm may have found ahead, now or earlier. A reading that almost
+/// surely tells of a hazard does not condition the mixture: the hazard explains it.
+std::vector<MeasuredHazard> applyMeasurements(GaussianMixture& distribution, int first,
+                                              MeasuredBins measured,
+                                              const std::optional<ContactError>& contact,
+                                              TerrainEstimate& estimate);
 
 /// Adds a warning if estimate.novelty is above 1.
 void warnIfNovel(TerrainEstimate& estimate);

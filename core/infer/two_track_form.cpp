@@ -60,10 +60,12 @@ void drawBoth(TwoTrackEstimate& estimate, const GaussianMixture& distribution,
 }
 
 /// Adds hazards; those of both sides are independent.
-void addOwnHazards(TerrainEstimate& estimate, Side side, const Poll& poll)
+void addOwnHazards(TerrainEstimate& estimate, Side side, std::span<const MeasuredHazard> measured,
+                   const Poll& poll)
 {
     const std::uint64_t seed = estimate.settings.seed;
     estimate.settings.seed += numberOf(side);
+    addMeasuredHazards(estimate, measured, poll);
     addHazards(estimate, estimate.settings.hazardRate, poll);
     estimate.settings.seed = seed;
 }
@@ -110,6 +112,7 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
                               const Settings& settings, const Poll& poll)
 {
     TwoTrackEstimate estimate;
+    std::array<std::vector<MeasuredHazard>, 2> hazards;
     GaussianMixture& distribution = prediction.distribution;
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
@@ -122,8 +125,9 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
         MeasuredBins measured =
             measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings);
         addEarlierArm(measured, prediction.earlier[numberOf(side)]);
-        applyMeasurements(distribution, firstOf(side), std::move(measured),
-                          prediction.contact[numberOf(side)], own);
+        hazards[numberOf(side)] =
+            applyMeasurements(distribution, firstOf(side), std::move(measured),
+                              prediction.contact[numberOf(side)], own);
         warnIfNovel(own);
     }
     for (const Side side : kSides)
@@ -135,7 +139,7 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
         const Proprioception readings = sideReadings(s, side);
         writeTouch(own, pressedBins(plane, readings, own.ceiling));
         writeRemembered(own, prediction.earlier[numberOf(side)], plane, readings);
-        addOwnHazards(own, side, poll);
+        addOwnHazards(own, side, hazards[numberOf(side)], poll);
         own = finite(std::move(own), poll);
     }
     return estimate;

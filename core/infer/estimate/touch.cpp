@@ -111,6 +111,37 @@ Touch touchOfBin(const ElementLoads& loads, const EdgePressure& pressure, int bi
     return covered ? Touch::Bounded : Touch::NotFelt;
 }
 
+/// The cells of all bins in a line. A border has the number of the cell ahead of it.
+class CellLine {
+public:
+    static constexpr int kAll = kBins * kFeltCells;
+    CellLine(const FeltCells& cells, const TerrainEstimate& estimate)
+        : cells_(cells), origin_(estimate.origin)
+    {
+    }
+    bool isFelt(int cell) const { return (cells_[binAt(cell)] & bit(cell)) != 0U; }
+    /// Returns true if the arm touched the ground at this border.
+    bool isPoint(int border) const
+    {
+        return border % kFeltCells == kFeltCells / 2 && origin_[binAt(border)] == Origin::Arm;
+    }
+    void join(int from, int to)
+    {
+        for (int cell = from; cell < to; ++cell) cells_[binAt(cell)] |= bit(cell);
+    }
+    const FeltCells& cells() const { return cells_; }
+
+private:
+    static std::size_t binAt(int cell) { return static_cast<std::size_t>(cell / kFeltCells); }
+    static std::uint16_t bit(int cell)
+    {
+        return static_cast<std::uint16_t>(1U << static_cast<unsigned>(cell % kFeltCells));
+    }
+
+    FeltCells cells_;
+    std::array<Origin, kBins> origin_;
+};
+
 }  // namespace
 
 std::string_view name(Touch touch)
@@ -168,6 +199,7 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
     PressedBins pressed;
     pressed.feltTo = binBegin(0);
     pressed.firstOfFlipper = kBins;
+    pressed.cells = cellsOf(pressedStretches(robot, s));
     for (int bin = kBins - 1; bin >= 0; --bin) {
         const auto i = static_cast<std::size_t>(bin);
         const bool covered = std::isfinite(ceiling[i]);
@@ -183,12 +215,32 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
     return pressed;
 }
 
+FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate)
+{
+    const CellLine before(felt, estimate);
+    CellLine joined = before;
+    // The arm's points lie at the middle of their bins, at the border before that cell.
+    for (int point = kFeltCells / 2; point < CellLine::kAll; point += kFeltCells) {
+        if (!before.isPoint(point)) continue;
+        int from = point, to = point;
+        while (from > 0 && !before.isFelt(from - 1) && (from == point || !before.isPoint(from)))
+            --from;
+        while (to < CellLine::kAll && !before.isFelt(to) && (to == point || !before.isPoint(to)))
+            ++to;
+        if (from > 0 && point - from <= kFeltCells) joined.join(from, point);
+        if (to < CellLine::kAll && to - point <= kFeltCells) joined.join(point, to);
+    }
+    return joined.cells();
+}
+
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now)
 {
     if (estimate.feltTo < binBegin(kFirstAhead)) return;
+    FeltCells both{};
+    for (std::size_t i = 0; i < kBins; ++i) both[i] = earlier[i] | now[i];
+    const FeltCells joined = joinedByArm(both, estimate);
     for (auto i = static_cast<std::size_t>(kFirstAhead); i < kBins; ++i)
-        if (estimate.touch[i] != Touch::Felt && earlier[i] != 0
-            && (earlier[i] | now[i]) == kAllCells)
+        if (estimate.touch[i] != Touch::Felt && earlier[i] != 0 && joined[i] == kAllCells)
             estimate.touch[i] = Touch::Remembered;
 }
 
@@ -196,11 +248,17 @@ void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed)
 {
     estimate.touch = pressed.touch;
     estimate.feltTo = pressed.feltTo;
+    const FeltCells joined = joinedByArm(pressed.cells, estimate);
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
         const bool touching = estimate.ceiling[i] - estimate.q10[i] <= kPressedWithin;
         if (bin < pressed.firstOfFlipper && touching) estimate.touch[i] = Touch::Felt;
-        if (estimate.origin[i] == Origin::Arm) estimate.touch[i] = Touch::Felt;
+        if (estimate.touch[i] == Touch::Felt) continue;
+        const bool isJoined = joined[i] == kAllCells && pressed.cells[i] != kAllCells;
+        if (bin >= kFirstAhead && isJoined)
+            estimate.touch[i] = Touch::Felt;
+        else if (estimate.origin[i] == Origin::Arm)
+            estimate.touch[i] = Touch::FeltInPart;
     }
 }
 

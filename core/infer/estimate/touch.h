@@ -17,9 +17,9 @@ struct TerrainEstimate;
 
 /// Touch of a bin at this pose, strongest evidence first.
 enum class Touch : std::uint8_t {
-    Felt,        ///< the robot presses on all of it, or the arm measured it
+    Felt,  ///< the robot presses on all of it, or the arm measured it and the ground beside it
     Remembered,  ///< earlier poses felt all of it, or all that this pose does not feel
-    FeltInPart,  ///< the robot presses on one stretch of the bin, but not on another
+    FeltInPart,  ///< the robot or the arm felt a part of the bin, but not all of it
     Bounded,     ///< the robot is above it and does not press: the ground may be anywhere below
     NotFelt,     ///< no part of the robot covers all of it
     Unrecorded,  ///< the recording is older than this field
@@ -85,6 +85,7 @@ struct PressedBins {
     /// The x of the foremost loaded element [m], DEM frame; binBegin(0): none is loaded.
     double feltTo = 0.0;
     int firstOfFlipper = kFirstAhead;  ///< rearmost bin whose centre lies ahead of the front pivot
+    FeltCells cells{};                 ///< of pressedStretches()
 };
 
 /// Reads the elements at this pose. A bin is Felt if all of these hold
@@ -106,14 +107,22 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 /// flippers' edge.
 std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
 
+/// A fall narrower than this may be overlooked between two places that were felt [m].
+inline constexpr double kArmSpan = kBinWidth;  // kFeltCells cells
+
+/// Returns the felt cells and those that the arm's points join. The arm touches a point at the centre
+/// of its bin. The cells between a point and the next felt cell or point, behind and ahead, count as
+/// felt if that is at most kArmSpan away. A point alone feels no cell: a fall may begin beside it.
+FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate);
+
 /// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.
-/// Of each, every cell was felt `earlier` or is felt `now`. Nothing changes unless an element ahead
+/// Of each, every cell was felt `earlier` or is felt `now`, or the arm joins it (joinedByArm()). Nothing changes unless an element ahead
 /// carries load now: memory alone carries no verdict. The caller answers for `earlier`: the estimate
 /// knows the heights that were felt.
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now);
 
-/// Writes estimate.touch and estimate.feltTo. The arm's bins are Felt. A bin behind the front pivot
-/// is Felt if ceiling − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the
+/// Writes estimate.touch and estimate.feltTo. A bin of the arm is FeltInPart. Bins ahead whose cells
+/// the arm's points join (joinedByArm()) are Felt. A bin behind the front pivot is Felt if ceiling − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the
 /// robot there.
 void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed);
 

@@ -52,6 +52,16 @@ double GaussianMixture::surprise(int i, double z, double sd) const
     return least / std::sqrt(covariance(i, i) + sd * sd);
 }
 
+double GaussianMixture::logDensity(int i, double z, double sd) const
+{
+    const double variance = covariance(i, i) + sd * sd;
+    const Eigen::ArrayXd exponent = weight.array().max(1e-300).log()
+                                  - 0.5 * (z - mean.row(i).transpose().array()).square() / variance;
+    const double most = exponent.maxCoeff();
+    return most + std::log((exponent - most).exp().sum())
+         - 0.5 * std::log(2.0 * std::numbers::pi * variance);
+}
+
 GaussianMixture GaussianMixture::collapsed() const
 {
     const Eigen::VectorXd centre = mean * weight;

@@ -24,6 +24,10 @@ struct GaussianMixture {
     ///   min_k |z − mean_ki| / √(C_ii + sd²)
     double surprise(int i, double z, double sd) const;
 
+    /// Returns the logarithm of the density of a measurement of coordinate i with Gaussian error:
+    ///   ln Σ_k weight_k N(z; mean_ki, C_ii + sd²)
+    double logDensity(int i, double z, double sd) const;
+
     /// Returns one Gaussian with the mixture's mean and covariance.
     GaussianMixture collapsed() const;
 

@@ -9,6 +9,7 @@
 
 #include "core/infer/estimate/quantile.h"
 #include "core/infer/estimator.h"
+#include "core/infer/verdict/obstacle.h"
 #include "core/learn/model/clearance.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/support/toy_model.h"
@@ -144,8 +145,22 @@ TEST(ClosedForm, aProbePullsItsBinAndNarrowsIt)
             const ArmReading probe{9, *scene.truth[9], 0.03};
             const TerrainEstimate after = estimate(scene, method, {&probe, 1});
             EXPECT_EQ(after.origin[9], Origin::Arm);
-            EXPECT_LT(after.sd[9], 0.05);
+            EXPECT_LT(after.sd[9], 0.5 * before.sd[9]);
             EXPECT_NEAR(after.height[9], *scene.truth[9], 0.09);
+        }
+}
+
+TEST(ClosedForm, anArmThatFindsAHoleIsBelieved)
+{
+    for (const Method method : {Method::Joint, Method::Local})
+        for (std::size_t k = 0; k < 5; ++k) {
+            const Scene& scene = bench().scenes[k * 7];
+            const TerrainEstimate before = estimate(scene, method);
+            const ArmReading hole{10, before.height[10] - 0.7, 0.03};
+            const TerrainEstimate e = estimate(scene, method, {&hole, 1});
+            EXPECT_NEAR(e.height[10], hole.height, 0.03);
+            EXPECT_NEAR(e.height[8], before.height[8], 0.05) << "the hole explains the reading";
+            EXPECT_GT(anyStep(e, 0.1, kFirstAhead).p, 0.99);
         }
 }
 

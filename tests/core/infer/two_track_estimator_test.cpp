@@ -94,7 +94,7 @@ TEST(TwoTrackEstimator, anArmReadingMovesItsOwnSideMost)
     EXPECT_LT(std::abs(after.side[0].height[10] - before.side[0].height[10]), moved);
     EXPECT_EQ(after.side[1].origin[10], Origin::Arm);
     EXPECT_EQ(after.side[0].origin[10], Origin::Sampled);
-    EXPECT_EQ(after.side[1].touch[10], Touch::Felt);
+    EXPECT_EQ(after.side[1].touch[10], Touch::FeltInPart);
     EXPECT_LT(after.side[1].sd[10], before.side[1].sd[10]);
 }
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/infer/verdict/obstacle.h"
@@ -62,6 +65,51 @@ TEST(Hazards, boundedBinsStayBelowTheirCeiling)
     }
     EXPECT_GT(highest, kSmallestHazard);  // a wall may stand where nothing covers the ground
     EXPECT_LT(deepest, -kSmallestHazard);
+}
+
+/// Probability of a hazard where the model expects N(0, 0.02²) and the arm reads `offset` ± 0.03 m.
+double probabilityOf(double offset, bool isCovered, double rate)
+{
+    const double variance = 0.02 * 0.02 + 0.03 * 0.03;
+    const double logDensity =
+        -0.5 * (offset * offset / variance + std::log(2.0 * std::numbers::pi * variance));
+    return hazardProbability(offset, 0.03, logDensity, isCovered, rate);
+}
+
+TEST(Hazards, aFarReadingTellsOfAHazard)
+{
+    EXPECT_LT(probabilityOf(0.03, false, 0.05), 0.001);
+    EXPECT_GT(probabilityOf(-0.3, false, 0.05), 0.999);
+    EXPECT_GT(probabilityOf(0.3, false, 0.05), 0.999);
+    EXPECT_GT(probabilityOf(-3.0, false, 0.05), 0.999) << "deeper than the model of hazards";
+    EXPECT_GT(probabilityOf(-0.3, false, 0.0), 0.99) << "at any rate";
+    EXPECT_EQ(probabilityOf(0.3, true, 0.05), 0.0) << "no wall stands within the robot";
+    EXPECT_GT(probabilityOf(-0.12, true, 0.05), probabilityOf(-0.12, false, 0.05));
+    EXPECT_GT(probabilityOf(-0.12, false, 0.05), probabilityOf(-0.12, false, 0.01));
+}
+
+TEST(Hazards, aMeasuredDropStandsAndGoesOn)
+{
+    TerrainEstimate e = flatEstimate();
+    e.touch[9] = Touch::FeltInPart;
+    const std::array drop{MeasuredHazard{9, -0.5, 0.01, -0.5, 1.0}};
+    addMeasuredHazards(e, drop);
+    EXPECT_NEAR(e.height[9], -0.5, 0.01);
+    EXPECT_NEAR(e.sd[9], 0.01, 0.002);
+    EXPECT_NEAR(e.height[10], -0.5, 0.01) << "not felt: it lies as deep";
+    EXPECT_EQ(e.height[8], 0.0);
+    EXPECT_EQ(stepProbabilities(e, 0.1)[8].p, 1.0);
+    TerrainEstimate half = flatEstimate();
+    const std::array readings{MeasuredHazard{9, -0.5, 0.01, -0.5, 0.5},
+                              MeasuredHazard{10, 0.0, 0.01, 0.0, 0.0}};
+    addMeasuredHazards(half, readings);
+    const auto low =
+        std::ranges::count_if(half.draws, [](const Heights& h) { return h[9] < -0.4; });
+    EXPECT_EQ(low, 1000);
+    EXPECT_EQ(half.height[10], 0.0) << "the arm measured it, too";
+    TerrainEstimate none = flatEstimate();
+    addMeasuredHazards(none, std::array{MeasuredHazard{9, -0.5, 0.01, -0.5, 0.0002}});
+    EXPECT_EQ(none, flatEstimate()) << "less than half a draw";
 }
 
 TEST(Hazards, areTheSameForTheSameSeed)

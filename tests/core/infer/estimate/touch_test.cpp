@@ -144,8 +144,50 @@ TEST(Touch, armAndTracksMakeBinsFelt)
     EXPECT_EQ(e.touch[1], Touch::Felt);
     EXPECT_EQ(e.touch[2], Touch::Bounded);
     EXPECT_EQ(e.touch[7], Touch::Bounded);  // a flipper needs loaded elements
-    EXPECT_EQ(e.touch[10], Touch::Felt);
+    EXPECT_EQ(e.touch[10], Touch::FeltInPart) << "a fall may begin beside the arm's point";
     EXPECT_DOUBLE_EQ(e.feltTo, 0.4);
+}
+
+TEST(Touch, armPointsJoinTheGroundBetweenThem)
+{
+    TerrainEstimate e;
+    e.ceiling.fill(0.0);
+    e.q10.fill(-0.1);
+    PressedBins pressed;
+    pressed.touch.fill(Touch::Bounded);
+    pressed.feltTo = 0.54;
+    pressed.cells = cellsOf({{0.25, 0.53}});
+    pressed.touch[6] = pressed.touch[7] = Touch::Felt;
+    pressed.touch[8] = Touch::FeltInPart;
+    for (const int bin : {8, 9}) e.origin[static_cast<std::size_t>(bin)] = Origin::Arm;
+    writeTouch(e, pressed);
+    EXPECT_EQ(e.touch[8], Touch::Felt) << "felt to 0.53 m, and the arm's point is at 0.60 m";
+    EXPECT_EQ(e.touch[9], Touch::FeltInPart) << "nothing was felt from 0.60 to 0.65 m";
+    e.origin[10] = Origin::Arm;
+    writeTouch(e, pressed);
+    EXPECT_EQ(e.touch[9], Touch::Felt) << "between three points";
+    EXPECT_EQ(e.touch[10], Touch::FeltInPart);
+    e.origin[9] = Origin::Sampled;
+    writeTouch(e, pressed);
+    EXPECT_EQ(e.touch[8], Touch::FeltInPart) << "the next point is too far away";
+    EXPECT_EQ(e.touch[9], Touch::Bounded);
+}
+
+TEST(Touch, anArmPointJoinsWhatWasFeltEarlier)
+{
+    TerrainEstimate e;
+    e.touch.fill(Touch::Bounded);
+    e.feltTo = 0.4;
+    e.origin[9] = Origin::Arm;
+    FeltCells earlier{};
+    earlier[7] = kAllCells;
+    earlier[8] = 0b0000111111;  // to 0.51 m
+    addRemembered(e, earlier, {});
+    EXPECT_EQ(e.touch[8], Touch::Remembered);
+    earlier[8] = 0b0000000111;  // to 0.48 m: 0.12 m before the point
+    e.touch[8] = Touch::Bounded;
+    addRemembered(e, earlier, {});
+    EXPECT_EQ(e.touch[8], Touch::Bounded);
 }
 
 TEST(Touch, namesAreReadBack)

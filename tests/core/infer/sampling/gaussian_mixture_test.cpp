@@ -37,6 +37,19 @@ TEST(GaussianMixture, quantilesInvertTheDistribution)
             EXPECT_NEAR(m.cdf(i, m.quantile(i, p)), p, 1e-8) << i << " " << p;
 }
 
+TEST(GaussianMixture, densityIsTheSlopeOfTheDistribution)
+{
+    GaussianMixture m = twoHeaps();
+    constexpr double kError = 0.2, kStep = 1e-5;
+    GaussianMixture wider = m;
+    wider.covariance(0, 0) += kError * kError;
+    for (const double z : {-3.0, -1.0, 0.4, 2.0}) {
+        const double slope = (wider.cdf(0, z + kStep) - wider.cdf(0, z - kStep)) / (2.0 * kStep);
+        EXPECT_NEAR(std::exp(m.logDensity(0, z, kError)), slope, 1e-6) << z;
+    }
+    EXPECT_LT(m.logDensity(0, 1000.0, kError), -1e5) << "where the density itself is 0";
+}
+
 TEST(GaussianMixture, ofOneComponentHasTheNormalsQuantiles)
 {
     GaussianMixture m;
