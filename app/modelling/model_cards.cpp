@@ -11,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "core/infer/verdict/obstacle.h"
+#include "core/learn/model/surface_rows.h"
 
 namespace terratact {
 namespace {
@@ -40,7 +41,8 @@ ModelFacts factsOf(const std::string& path, const StoredModel& model)
                      .dataHash = model.data.dataHash,
                      .command = model.data.command,
                      .scenes = model.data.heights.rows(),
-                     .ground = trainingGround(model.data.heights, kStepLimit),
+                     .ground = trainingGround(
+                         model.data.heights(completeRows(model.data), Eigen::all), kStepLimit),
                      .card = {},
                      .trouble = {}};
     auto card = readModelCard(path, model.contentHash);

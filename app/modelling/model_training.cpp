@@ -283,6 +283,10 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     }
     if (set.leftOut > 0)
         report({TR_NOOP("core", "%1 scenes with unknown values left out"), set.leftOut});
+    if (set.withHoles > 0)
+        report({TR_NOOP("core", "%1 scenes have unknown heights: the surfaces learn their known "
+                                "bins, the conditionals leave them out"),
+                set.withHoles});
     if (set.exactCopies > 0)
         report({TR_NOOP("core", "%1 scenes are there twice: their copies were left out"),
                 set.exactCopies});
@@ -326,9 +330,13 @@ Status readSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData
     try {
         SideTrainingSet set = prepareSides(file->scenes);
         if (set.leftOut > 0)
-            report({TR_NOOP("core", "%1 scenes of two tracks left out: a value is unknown, or "
-                                    "there are more than %2"),
+            report({TR_NOOP("core", "%1 scenes of two tracks left out: a reading or all heights "
+                                    "are unknown, or there are more than %2"),
                     set.leftOut, kMaxSideScenes});
+        if (set.withHoles > 0)
+            report({TR_NOOP("core", "%1 scenes of two tracks have unknown heights: their known "
+                                    "bins are learnt"),
+                    set.withHoles});
         model.sides = std::move(set.rows);
     } catch (const std::invalid_argument& error) {
         return fileError(plan.tracks, error.what());

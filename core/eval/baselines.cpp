@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/learn/gp/gaussian_process.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/learn/model/training.h"
 #include "core/robot/kinematics.h"
 #include "core/terrain/body_ceiling.h"
@@ -214,12 +215,25 @@ private:
     std::array<std::unique_ptr<GaussianProcess>, kBins> gp_;
 };
 
+/// Returns the rows whose heights are all known.
+ModelData withoutHoles(const ModelData& model)
+{
+    const std::vector<int> rows = completeRows(model);
+    ModelData complete;
+    complete.heights = model.heights(rows, Eigen::all);
+    complete.features = model.features(rows, Eigen::all);
+    return complete;
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Baseline>> fitBaselines(const RobotModel& robot, const ModelData& model,
                                                     const ForEach& forEach)
 {
-    if (model.heights.rows() < kMinRows || model.features.rows() != model.heights.rows())
+    if (model.features.rows() != model.heights.rows())
+        throw std::invalid_argument("fitBaselines: as many features as heights");
+    if (!model.unknownBins.empty()) return fitBaselines(robot, withoutHoles(model), forEach);
+    if (model.heights.rows() < kMinRows)
         throw std::invalid_argument("fitBaselines: at least 30 training rows");
     std::vector<std::unique_ptr<Baseline>> baselines;
     baselines.push_back(std::make_unique<Flat>(robot, model));

@@ -4614,10 +4614,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je model formátu verze %1, ale tento program čte verze %2 a %3: nový vytvoří `terratact train`</translation>
     </message>
     <message>
-        <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
-        <translation>vynechaných scén dvou pásů: %1; některá hodnota je neznámá, nebo je jich více než %2</translation>
-    </message>
-    <message>
         <source>row %1 of its table %2: %3</source>
         <translation>řádek %1 jeho tabulky %2: %3</translation>
     </message>
@@ -5028,6 +5024,38 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>sd of a height: %1</source>
         <translation>směrodatná odchylka výšky: %1</translation>
+    </message>
+    <message>
+        <source>its unknown heights do not fit its training rows</source>
+        <translation>jeho neznámé výšky neodpovídají trénovacím řádkům</translation>
+    </message>
+    <message>
+        <source>its table of unknown heights names none</source>
+        <translation>jeho tabulka neznámých výšek žádnou neuvádí</translation>
+    </message>
+    <message>
+        <source>an unknown height is of a bin that does not exist</source>
+        <translation>neznámá výška patří binu, který neexistuje</translation>
+    </message>
+    <message>
+        <source>it has a number for a height that is unknown</source>
+        <translation>má číslo pro výšku, která je neznámá</translation>
+    </message>
+    <message>
+        <source>a scanned row has an unknown height</source>
+        <translation>naskenovaný řádek má neznámou výšku</translation>
+    </message>
+    <message>
+        <source>%1 scenes have unknown heights: the surfaces learn their known bins, the conditionals leave them out</source>
+        <translation>%1 scén má neznámé výšky: plochy se učí z jejich známých binů, podmíněné modely je vynechávají</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks left out: a reading or all heights are unknown, or there are more than %2</source>
+        <translation>%1 scén dvou pásů vynecháno: některý údaj nebo všechny výšky jsou neznámé, nebo je jich více než %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
+        <translation>%1 scén dvou pásů má neznámé výšky: učí se jejich známé biny</translation>
     </message>
 </context>
 <context>

@@ -4614,10 +4614,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist ein Modell der Formatversion %1, dieses Programm liest die Versionen %2 und %3: `terratact train` macht ein neues</translation>
     </message>
     <message>
-        <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
-        <translation>weggelassene Szenen mit zwei Ketten: %1; ein Wert ist unbekannt, oder es sind mehr als %2</translation>
-    </message>
-    <message>
         <source>row %1 of its table %2: %3</source>
         <translation>Zeile %1 ihrer Tabelle %2: %3</translation>
     </message>
@@ -5028,6 +5024,38 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>sd of a height: %1</source>
         <translation>Standardabweichung einer Höhe: %1</translation>
+    </message>
+    <message>
+        <source>its unknown heights do not fit its training rows</source>
+        <translation>seine unbekannten Höhen passen nicht zu seinen Trainingszeilen</translation>
+    </message>
+    <message>
+        <source>its table of unknown heights names none</source>
+        <translation>seine Tabelle unbekannter Höhen nennt keine</translation>
+    </message>
+    <message>
+        <source>an unknown height is of a bin that does not exist</source>
+        <translation>eine unbekannte Höhe gehört zu einem Bin, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it has a number for a height that is unknown</source>
+        <translation>es hat eine Zahl für eine Höhe, die unbekannt ist</translation>
+    </message>
+    <message>
+        <source>a scanned row has an unknown height</source>
+        <translation>eine gescannte Zeile hat eine unbekannte Höhe</translation>
+    </message>
+    <message>
+        <source>%1 scenes have unknown heights: the surfaces learn their known bins, the conditionals leave them out</source>
+        <translation>%1 Szenen haben unbekannte Höhen: die Oberflächen lernen ihre bekannten Bins, die bedingten Modelle lassen sie aus</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks left out: a reading or all heights are unknown, or there are more than %2</source>
+        <translation>%1 Szenen zweier Ketten ausgelassen: ein Messwert oder alle Höhen sind unbekannt, oder es sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
+        <translation>%1 Szenen zweier Ketten haben unbekannte Höhen: ihre bekannten Bins werden gelernt</translation>
     </message>
 </context>
 <context>

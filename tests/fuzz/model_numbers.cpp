@@ -1,7 +1,8 @@
 // Fuzzes the numbers of a model. In the first byte, the lowest two bits select the number of training rows. The next
-// bit sends the model through a file; the highest two bits select the method. Then each 10 bytes change one number (two
+// bit sends the model through a file, the next one makes a height unknown; the highest two bits select the method. Then each 10 bytes change one number (two
 // select it, eight are its value). An accepted model survives a file. It estimates a terrain with finite numbers, or
 // says why it cannot.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -24,7 +25,7 @@ using namespace terratact::fuzz;
 
 namespace {
 
-constexpr unsigned kThroughFile = 4;  // bit of the first byte
+constexpr unsigned kThroughFile = 4, kWithHole = 8;  // bits of the first byte
 
 using Numbers = std::vector<double*>;
 
@@ -87,6 +88,18 @@ ModelData realModel(int rows)
     return model;
 }
 
+/// Makes the height of bin 10, open in every row, unknown in the last row.
+void addHole(ModelData& model)
+{
+    const Eigen::Index last = model.heights.rows() - 1;
+    model.unknownBins.assign(static_cast<std::size_t>(model.heights.rows()), 0U);
+    model.unknownBins.back() = 1U << 10U;
+    model.heights(last, 10) = model.clearance.residuals(last, 10) = 0.0;
+    model.scannedHeights.conservativeResize(std::max<Eigen::Index>(last, 1), Eigen::NoChange);
+    model.scannedHeights = model.heights.topRows(model.scannedHeights.rows());
+    model.clearance.open[10].weights.conservativeResize(last);
+}
+
 void change(ModelData& model, const std::uint8_t* data, std::size_t size)
 {
     const Numbers numbers = numbersOf(model);
@@ -146,6 +159,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const Method method = kTried[data[0] / 64U];
     ModelData model = realModel(method == Method::Clearance ? kMinTrainingRows : 1 + data[0] % 4);
+    if (data[0] & kWithHole && model.heights.rows() > 1) addHole(model);
     change(model, data + 1, size - 1);
     try {
         promise(!contentHash(model).empty(), "an accepted model has a hash");

@@ -35,7 +35,7 @@ void addClearance(ModelData& model, Within within)
             auto& process = (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
             process.mean = within(-5.0, 1.0);
             process.residualSd = within(0.01, 1.0);
-            const auto inducing = inducingRows(rowsOf(data.coveredBins, bin, covered)).size();
+            const auto inducing = inducingRows(rowsOf(data.coveredBins, {}, bin, covered)).size();
             if (inducing == 0) continue;
             process.hyper = {random(11, 0.1, 9.0), within(0.1, 1.0), within(0.01, 0.1)};
             process.weights = random(static_cast<Eigen::Index>(inducing), -2.0, 2.0);
@@ -111,7 +111,8 @@ inline bool same(const ModelData& a, const ModelData& b)
     return a.scannedHeights == b.scannedHeights && same(a.clearance, b.clearance)
         && a.heights == b.heights && a.features == b.features && same(a.pa, b.pa)
         && same(a.paf, b.paf) && a.command == b.command && a.seed == b.seed
-        && a.dataHash == b.dataHash && a.inducing == b.inducing && a.repeats == b.repeats;
+        && a.dataHash == b.dataHash && a.inducing == b.inducing && a.repeats == b.repeats
+        && a.unknownBins == b.unknownBins;
 }
 
 }  // namespace terratact

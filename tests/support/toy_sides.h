@@ -32,10 +32,10 @@ inline std::vector<TwoTrackScene> someTrackScenes(int runs, std::uint64_t seed)
 }
 
 /// Trains the processes of both sides with a short search.
-inline SurfaceData toySides(int runs = 8, std::uint64_t seed = 1)
+inline SurfaceData toySides(const std::vector<TwoTrackScene>& scenes)
 {
     const RobotModel robot = absolem();
-    SurfaceData sides = prepareSides(someTrackScenes(runs, seed)).rows;
+    SurfaceData sides = prepareSides(scenes).rows;
     const Eigen::MatrixXd ceilings = bodyCeilings(sides.features, robot);
     const std::vector<int> places = placesOf(sides);
     prepareClearance(sides, ceilings);
@@ -48,6 +48,11 @@ inline SurfaceData toySides(int runs = 8, std::uint64_t seed = 1)
                   covered);
     finishSides(sides, robot);
     return sides;
+}
+
+inline SurfaceData toySides(int runs = 8, std::uint64_t seed = 1)
+{
+    return toySides(someTrackScenes(runs, seed));
 }
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,20 @@ struct Scene {
     OptionalHeights truthSd{};  ///< [m] sd of each true height; empty: exact
     bool operator==(const Scene&) const = default;
 };
+
+/// Returns a bit mask: bit i is set if height i is unknown.
+inline unsigned unknownMask(const OptionalHeights& heights)
+{
+    unsigned mask = 0;
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (!heights[i]) mask |= 1U << i;
+    return mask;
+}
+
+/// Returns true if at least one height is known.
+inline bool knowsHeights(const OptionalHeights& heights)
+{
+    return unknownMask(heights) != (1U << heights.size()) - 1U;
+}
 
 }  // namespace terratact

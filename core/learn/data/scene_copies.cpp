@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -51,7 +52,9 @@ bool isRewritten(const Key& a, const Key& b)
     return std::sqrt(sum / kFeatures) <= kRewrittenRms;
 }
 
-using HeightKey = std::array<double, kBins>;
+using HeightKey = std::array<double, kBins>;  // NaN where a height is unknown
+
+constexpr double kUnknownHeight = std::numeric_limits<double>::quiet_NaN();
 
 /// Features and heights of a scene, which determine its place.
 struct PlaceKey {
@@ -62,14 +65,17 @@ struct PlaceKey {
 PlaceKey placeKeyOf(const Scene& scene)
 {
     PlaceKey key{keyOf(scene), {}};
-    for (std::size_t i = 0; i < kBins; ++i) key.heights[i] = scene.truth[i].value_or(0.0);
+    for (std::size_t i = 0; i < kBins; ++i)
+        key.heights[i] = scene.truth[i].value_or(kUnknownHeight);
     return key;
 }
 
 bool isExactCopy(const PlaceKey& a, const PlaceKey& b)
 {
     for (std::size_t i = 0; i < kBins; ++i)
-        if (std::abs(a.heights[i] - b.heights[i]) > kRewrittenHeight) return false;
+        if (std::isnan(a.heights[i]) != std::isnan(b.heights[i])
+            || std::abs(a.heights[i] - b.heights[i]) > kRewrittenHeight)
+            return false;
     return isRewritten(a.features, b.features);
 }
 
@@ -81,8 +87,13 @@ bool repeats(const PlaceKey& a, const PlaceKey& b)
             return false;
     }
     double sum = 0.0;
-    for (std::size_t i = 0; i < kBins; ++i) sum += std::pow(a.heights[i] - b.heights[i], 2.0);
-    return std::sqrt(sum / kBins) <= kMaxHeightDifference;
+    int common = 0;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (std::isnan(a.heights[i]) || std::isnan(b.heights[i])) continue;
+        sum += std::pow(a.heights[i] - b.heights[i], 2.0);
+        ++common;
+    }
+    return common > 0 && std::sqrt(sum / common) <= kMaxHeightDifference;
 }
 
 /// Scenes sorted by the front flippers' angle, which hardly differs between copies.
@@ -164,10 +175,12 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
     return copies;
 }
 
-std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights)
+std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
+                          const std::vector<unsigned>& unknownBins)
 {
     if (features.rows() != heights.rows() || features.cols() != Eigen::Index{kFeatures}
-        || heights.cols() != kBins)
+        || heights.cols() != kBins
+        || (!unknownBins.empty() && std::ssize(unknownBins) != heights.rows()))
         throw std::invalid_argument("places need eleven features and heights of every row");
     Places places;
     std::vector<int> result;
@@ -175,8 +188,10 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
         PlaceKey key;
         for (std::size_t d = 0; d < kFeatures; ++d)
             key.features[d] = features(u, static_cast<Eigen::Index>(d));
+        const unsigned unknown = unknownBins.empty() ? 0 : unknownBins[static_cast<std::size_t>(u)];
         for (std::size_t i = 0; i < kBins; ++i)
-            key.heights[i] = heights(u, static_cast<Eigen::Index>(i));
+            key.heights[i] = (unknown >> i & 1U) != 0 ? kUnknownHeight
+                                                      : heights(u, static_cast<Eigen::Index>(i));
         result.push_back(places.placeOf(key, static_cast<int>(u)));
     }
     return result;

@@ -22,18 +22,19 @@ struct SceneCopies {
     std::set<std::string> runs;  ///< drives of the repeats
 };
 
-/// Removes copies. scenes: complete ones.
+/// Removes copies. scenes: with all features, and at least one known height each.
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
 
 /// Returns the place of each row: the number of the first row that it repeats (isNearCopy), or its
-/// own. Rows are compared with first rows of places only. features: U × 11, heights: U × 11, as in
-/// ModelData. Throws std::invalid_argument if sizes disagree.
-std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights);
+/// own. Rows are compared with first rows of places only. features: U × 11, heights: U × 11,
+/// unknownBins: as in ModelData. Throws std::invalid_argument if sizes disagree.
+std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
+                          const std::vector<unsigned>& unknownBins = {});
 
 /// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most
 /// kCopySd √2 standard deviations of its noise (core/sim/sensor_noise.h). The root mean square of
-/// the height differences is at most 26 mm. A scanner's noise of 12 mm exceeds that once in a
-/// hundred times.
+/// the height differences is at most 26 mm, over the bins that both know; without a common bin they
+/// are two places. A scanner's noise of 12 mm exceeds that once in a hundred times.
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;
 

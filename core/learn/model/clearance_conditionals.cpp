@@ -13,6 +13,7 @@
 
 #include "core/learn/data/columns.h"
 #include "core/learn/model/clearance_training.h"
+#include "core/learn/model/surface_rows.h"
 
 namespace terratact {
 
@@ -193,11 +194,11 @@ void requireBin(int bin)
 
 ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot)
 {
-    const Eigen::Index rows = std::min<Eigen::Index>(kClearanceScenes, model.heights.rows());
-    ClearanceTraining training{model.heights.topRows(rows),
-                               {},
-                               model.features.topRows(rows),
-                               model.heightSd.topRows(std::min(rows, model.heightSd.rows()))};
+    std::vector<int> rows = completeRows(model);
+    rows.resize(std::min(rows.size(), std::size_t{kClearanceScenes}));
+    ClearanceTraining training{
+        model.heights(rows, Eigen::all), {}, model.features(rows, Eigen::all), {}};
+    if (model.heightSd.rows() > 0) training.heightSd = model.heightSd(rows, Eigen::all);
     training.ceilings = bodyCeilings(training.features, robot);
     return training;
 }

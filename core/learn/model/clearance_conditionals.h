@@ -72,7 +72,7 @@ struct ClearanceConditionalData {
 /// Largest number of rows of one Gaussian process; the first rows are used.
 inline constexpr int kMaxClearanceRows = 1400;
 
-/// Number of the model's first training rows that the conditionals learn from.
+/// Number of the model's first complete training rows that the conditionals learn from.
 inline constexpr int kClearanceScenes = 2000;
 ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot);
 

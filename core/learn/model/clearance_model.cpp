@@ -80,6 +80,7 @@ void check(const SurfaceData& model)
     const Eigen::Index U = model.features.rows();
     if (data.residuals.rows() != U || data.residuals.cols() != kBins
         || data.coveredBins.size() != static_cast<std::size_t>(U)
+        || (!model.unknownBins.empty() && std::ssize(model.unknownBins) != U)
         || data.featureMean.size() != model.features.cols()
         || data.featureSd.size() != model.features.cols() || !(data.noveltyScale > 0.0))
         throw std::invalid_argument("the model has no trained clearances");
@@ -106,7 +107,7 @@ Eigen::Matrix<double, kBins, 1> sameRegime(unsigned a, unsigned b)
     return same;
 }
 
-/// Makes a bin without process independent of the others.
+/// Makes a bin without process, or without a complete row, independent of the others.
 void isolate(Eigen::MatrixXd& covariance, Eigen::Index i, double sd)
 {
     covariance.row(i).setZero();
@@ -127,9 +128,10 @@ ClearanceModel::ClearanceModel(const SurfaceData& model, AbsentFeatures without,
     const ClearanceData& data = model.clearance;
     featureMean_ = data.featureMean;
     featureSd_ = data.featureSd;
-    metric_ = metric(data, without_);
+    metric_ = metric(model, without_);
     scenes_ = scenesInMetric(model, metric_, without_);
     coveredBins_ = data.coveredBins;
+    unknownBins_ = model.unknownBins;
     residuals_ = data.residuals.transpose();
     noveltyScale_ = data.noveltyScale;
     contactBias_ = data.contactBias;
@@ -138,11 +140,12 @@ ClearanceModel::ClearanceModel(const SurfaceData& model, AbsentFeatures without,
         scenesInMetric(model, Eigen::VectorXd::Ones(metric_.size()), without_);
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        open_[i] = prepare(data.open[i], X, rowsOf(coveredBins_, bin, false));
-        covered_[i] = prepare(data.covered[i], X, rowsOf(coveredBins_, bin, true));
+        open_[i] = prepare(data.open[i], X, rowsOf(coveredBins_, unknownBins_, bin, false));
+        covered_[i] = prepare(data.covered[i], X, rowsOf(coveredBins_, unknownBins_, bin, true));
     }
     const std::vector<double> share = sharesOfPlaces(places_);
     for (Eigen::Index u = 0; u < residuals_.cols(); ++u) {
+        if (!isComplete(static_cast<int>(u))) continue;
         ResidualProducts& products = products_[coveredBins_[static_cast<std::size_t>(u)]];
         const double weight = share[static_cast<std::size_t>(u)];
         products.sum += weight * residuals_.col(u) * residuals_.col(u).transpose();
@@ -238,6 +241,11 @@ ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,
     return sample;
 }
 
+bool ClearanceModel::isComplete(int row) const
+{
+    return unknownBins_.empty() || unknownBins_[static_cast<std::size_t>(row)] == 0;
+}
+
 void ClearanceModel::requireSidesOf(const ClearanceModel& right) const
 {
     if (featureMean_.size() != kSideRow || coveredBins_ != right.coveredBins_
@@ -270,7 +278,7 @@ ResidualSample ClearanceModel::sideResiduals(const ClearanceModel& right,
     return sample;
 }
 
-/// Gives bins whose regime differs in their row the residuals of other rows. first: row of the
+/// Gives bins whose regime differs in their row, or whose height is unknown there, the residuals of other rows. first: row of the
 /// sample that holds bin 0.
 void ClearanceModel::borrow(ResidualSample& sample, Eigen::Index first,
                             const std::vector<int>& rows, const Eigen::VectorXd& distance,
@@ -285,11 +293,13 @@ void ClearanceModel::borrowBin(ResidualSample& sample, Eigen::Index first,
                                int bin, bool covered) const
 {
     std::vector<Eigen::Index> lacking;
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        if (isCovered(coveredBins_[static_cast<std::size_t>(rows[k])], bin) != covered)
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto row = static_cast<std::size_t>(rows[k]);
+        if (isCovered(coveredBins_[row], bin) != covered || !isKnown(unknownBins_, row, bin))
             lacking.push_back(static_cast<Eigen::Index>(k));
+    }
     if (lacking.empty()) return;
-    std::vector<int> donors = rowsOf(coveredBins_, bin, covered);
+    std::vector<int> donors = rowsOf(coveredBins_, unknownBins_, bin, covered);
     if (process(bin, covered).weights.size() == 0) donors.clear();
     const auto wanted = std::min(std::ssize(donors), std::ssize(lacking));
     std::partial_sort(donors.begin(), donors.begin() + wanted, donors.end(),
@@ -317,7 +327,7 @@ Eigen::MatrixXd ClearanceModel::residualCovariance(unsigned covered) const
     Eigen::MatrixXd covariance = (count.array() > 0.0).select(sum.cwiseQuotient(count), 0.0);
     for (int bin = 0; bin < kBins; ++bin) {
         const Process& p = process(bin, isCovered(covered, bin));
-        if (p.weights.size() == 0) isolate(covariance, bin, p.residualSd);
+        if (p.weights.size() == 0 || count(bin, bin) == 0.0) isolate(covariance, bin, p.residualSd);
     }
     return nearestCovariance(covariance);
 }
@@ -328,6 +338,7 @@ ClearanceModel::ProductsOfSides ClearanceModel::productsWith(const ClearanceMode
     Eigen::Matrix<double, 2 * kBins, 1> residual;
     for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
         const int other = otherSideRow(u);
+        if (!isComplete(u) || !isComplete(other)) continue;
         residual << residuals_.col(u), right.residuals_.col(other);
         SideProducts& products =
             all[coveredBins_[static_cast<std::size_t>(u)]
@@ -359,8 +370,10 @@ Eigen::MatrixXd ClearanceModel::sideCovariance(const ClearanceModel& right,
     for (int bin = 0; bin < kBins; ++bin) {
         const Process& own = process(bin, isCovered(covered[0], bin));
         const Process& others = right.process(bin, isCovered(covered[1], bin));
-        if (own.weights.size() == 0) isolate(covariance, bin, own.residualSd);
-        if (others.weights.size() == 0) isolate(covariance, kBins + bin, others.residualSd);
+        if (own.weights.size() == 0 || count(bin, bin) == 0.0)
+            isolate(covariance, bin, own.residualSd);
+        if (others.weights.size() == 0 || count(kBins + bin, kBins + bin) == 0.0)
+            isolate(covariance, kBins + bin, others.residualSd);
     }
     return nearestCovariance(covariance);
 }
@@ -370,8 +383,9 @@ double ClearanceModel::novelty(const Eigen::VectorXd& features) const
     return std::sqrt(nthSmallest(squaredDistances(features), kNoveltyNeighbour)) / noveltyScale_;
 }
 
-Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, AbsentFeatures without)
+Eigen::VectorXd ClearanceModel::metric(const SurfaceData& model, AbsentFeatures without)
 {
+    const ClearanceData& data = model.clearance;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(data.featureMean.size());
     double count = 0.0;
     for (const bool covered : {false, true})
@@ -380,8 +394,7 @@ Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, AbsentFeatures
                 (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
             if (p.weights.size() == 0) continue;
             const double weight =
-                without.none() ? 1.0
-                               : static_cast<double>(rowsOf(data.coveredBins, bin, covered).size());
+                without.none() ? 1.0 : static_cast<double>(rowsOf(model, bin, covered).size());
             sum += weight * p.hyper.lengthScale.array().square().inverse().matrix();
             count += weight;
         }
@@ -393,7 +406,7 @@ Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, AbsentFeatures
 double ClearanceModel::noveltyScale(const SurfaceData& model, const Poll& poll,
                                     AbsentFeatures without)
 {
-    const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model.clearance, without), without);
+    const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model, without), without);
     std::vector<double> distance;
     const Eigen::Index every =
         holdsSides(model) ? std::max<Eigen::Index>(1, scenes.cols() / kNoveltyRows) : 1;

@@ -33,12 +33,14 @@ public:
     ///   D² = Σ_d (x_d − x'_d)² w_d²,  w_d² = mean over the processes of 1 / ℓ_d²
     /// with the weights of residualWeights().
     /// If too few scenes have the same bins covered, other scenes follow. A bin whose regime
-    /// differs there takes the residual of the nearest scenes with the right regime. A bin that no
+    /// differs there, or whose height is unknown, takes the residual of the nearest scenes that have
+    /// it in the right regime. A bin that no
     /// training scene has in this regime gets normal quantiles times its residual sd.
     ResidualSample localResiduals(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the second moments of the residuals, each pair over the scenes in which both bins
     /// are in this regime: 11 × 11, positive definite. Each place has the weight of one scene.
+    /// Scenes with unknown heights do not count.
     Eigen::MatrixXd residualCovariance(unsigned covered) const;
 
     /// Covered bins of both sides: left, right.
@@ -65,7 +67,7 @@ public:
     /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
     /// left out, a process counts in w_d by its rows, because few rows may give an unusual length
     /// scale. Of sides, w_d² is the mean of own and other side, and noveltyScale looks at 3000 rows.
-    static Eigen::VectorXd metric(const ClearanceData& data, AbsentFeatures without = {});
+    static Eigen::VectorXd metric(const SurfaceData& model, AbsentFeatures without = {});
     static double noveltyScale(const SurfaceData& model, const Poll& poll = {},
                                AbsentFeatures without = {});
 
@@ -102,12 +104,13 @@ private:
     void borrowBin(ResidualSample& sample, Eigen::Index first, const std::vector<int>& rows,
                    const Eigen::VectorXd& distance, int bin, bool covered) const;
     void requireSidesOf(const ClearanceModel& right) const;
+    bool isComplete(int row) const;  ///< all heights of the row are known
 
     AbsentFeatures without_;
     Eigen::VectorXd featureMean_, featureSd_, metric_;
     Eigen::MatrixXd scenes_;  ///< d × U: standardised features times the metric
     std::array<Process, kBins> open_, covered_;
-    std::vector<unsigned> coveredBins_;
+    std::vector<unsigned> coveredBins_, unknownBins_;
     std::vector<int> places_;
     Eigen::MatrixXd residuals_;                      ///< 11 × U
     std::map<unsigned, ResidualProducts> products_;  ///< indexed by the covered bins

@@ -40,16 +40,19 @@ double surfaceOf(const SurfaceData& model, const Eigen::MatrixXd& ceilings, Eige
     return toSurface(model.heights(row, bin), ceilings(row, bin));
 }
 
-/// Returns y of these bins wherever they are in that regime; for an open bin, the heights of all
-/// rows.
+/// Returns y of these bins wherever they are known in that regime; for an open bin, its known
+/// heights.
 std::vector<double> substitutes(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                                 bool covered)
 {
     std::vector<double> values;
+    const auto known = [&model](Eigen::Index u, int i) {
+        return isKnown(model.unknownBins, static_cast<std::size_t>(u), i);
+    };
     for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
-        if (!covered) values.push_back(model.heights(u, bin));
+        if (!covered && known(u, bin)) values.push_back(model.heights(u, bin));
         for (int other = 0; covered && other < kBins; ++other)
-            if (std::isfinite(ceilings(u, other)))
+            if (std::isfinite(ceilings(u, other)) && known(u, other))
                 values.push_back(surfaceOf(model, ceilings, u, other));
     }
     if (values.empty()) values.push_back(0.0);  // touching
@@ -223,7 +226,7 @@ ContactErrors contactErrors(const SurfaceData& model, const Eigen::MatrixXd& cei
         const OptionalHeights contacts = contactHeights(model, u, robot, kThreshold);
         for (int bin = 0; bin < kBins; ++bin) {
             const auto& z = contacts[static_cast<std::size_t>(bin)];
-            if (!z) continue;
+            if (!z || !isKnown(model.unknownBins, static_cast<std::size_t>(u), bin)) continue;
             const double y = surfaceOf(model, ceilings, u, bin) - model.clearance.residuals(u, bin);
             const double m = toHeight(y, ceilings(u, bin));
             if (std::abs(*z - m) > kMax) continue;
@@ -305,7 +308,7 @@ TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& cei
                             bool covered, const TrainingOptions& options, const Poll& poll,
                             const std::vector<int>& places, Eigen::Index kept)
 {
-    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    std::vector<int> rows = rowsOf(model, bin, covered);
     const std::vector<int> firsts = firstOfPlaces(places, rows);
     if (std::min(firsts.size(), keptAmong(rows, kept)) < std::size_t{kMinTrainingRows})
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
@@ -328,6 +331,10 @@ void keepRows(SurfaceData& model, Eigen::Index rows)
     if (rows >= model.heights.rows()) return;
     model.heights.conservativeResize(rows, Eigen::NoChange);
     if (model.heightSd.rows() > 0) model.heightSd.conservativeResize(rows, Eigen::NoChange);
+    if (!model.unknownBins.empty()) {
+        model.unknownBins.resize(static_cast<std::size_t>(rows));
+        if (std::ssize(completeRows(model)) == rows) model.unknownBins.clear();
+    }
     model.features.conservativeResize(rows, Eigen::NoChange);
     model.clearance.residuals.conservativeResize(rows, Eigen::NoChange);
     model.clearance.coveredBins.resize(static_cast<std::size_t>(rows));
@@ -337,7 +344,7 @@ TrainedSurface refitSurface(const SurfaceData& model, const Eigen::MatrixXd& cei
                             bool covered, const Hyperparameters& known, AbsentFeatures without,
                             const Poll& poll, const std::vector<int>& places)
 {
-    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    std::vector<int> rows = rowsOf(model, bin, covered);
     if (std::ssize(rows) < kMinTrainingRows || known.lengthScale.size() == 0)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
     return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll, places,

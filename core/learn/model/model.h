@@ -55,6 +55,9 @@ struct SurfaceData {
     Eigen::MatrixXd heights;   ///< U × 11 [m]
     Eigen::MatrixXd features;  ///< U × f, raw
     Eigen::MatrixXd heightSd;  ///< U × 11 [m] sd of each height; without rows: heights are exact
+    /// Per row, bit i is set if the height of bin i is unknown; height, sd and residual are 0 there.
+    /// Without entries: all heights are known.
+    std::vector<unsigned> unknownBins;
     ClearanceData clearance;
     /// Number of the last rows that measure a place of an earlier row again (scene_copies.h). 0:
     /// every row counts as a place of its own, as in models from before this number existed.
@@ -62,8 +65,8 @@ struct SurfaceData {
 };
 
 /// Trained model over U training rows of one plane: features in the order of featureNames(Paf); Pa
-/// uses the first three columns. The conditionals `pa` and `paf` use the first V ≤ U rows, with
-/// heights as a scanner reports them. `clearance` uses all rows.
+/// uses the first three columns. The conditionals `pa` and `paf` use the first V ≤ U rows, whose
+/// heights are all known, as a scanner reports them. `clearance` uses all rows.
 struct ModelData : SurfaceData {
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/text.h"
 #include "core/learn/data/columns.h"
@@ -78,14 +79,14 @@ void requireConditional(const Hyperparameters& hyper, const Message& what)
     requireScale(hyper.noiseSd, Message(TR_NOOP("core", "noise_sd of %1"), what));
 }
 
-void requireSurfaces(const ClearanceData& data, int bin)
+void requireSurfaces(const SurfaceData& model, int bin)
 {
+    const ClearanceData& data = model.clearance;
     for (const bool covered : {false, true}) {
         const auto& of = covered ? data.covered : data.open;
         const Message what(TR_NOOP("core", "the surface of bin %1"), bin);
-        requireSurface(of[static_cast<std::size_t>(bin)],
-                       rowsOf(data.coveredBins, bin, covered).size(), data.featureMean.size(),
-                       what);
+        requireSurface(of[static_cast<std::size_t>(bin)], rowsOf(model, bin, covered).size(),
+                       data.featureMean.size(), what);
         requireConditional((covered ? data.conditionalCovered
                                     : data.conditionalOpen)[static_cast<std::size_t>(bin)],
                            Message(TR_NOOP("core", "the clearance conditional of bin %1"), bin));
@@ -97,6 +98,27 @@ void requireWholeClearance(const ClearanceData& data)
     requireScale(data.noveltyScale, Message::verbatim("novelty_scale"));
     requireScale(data.contactSd, Message::verbatim("contact_sd"));
     require(std::abs(data.contactBias) <= 1.0, TR_NOOP("core", "contact_bias is out of range"));
+}
+
+/// Checks the rows with unknown heights, once sizes and residuals are checked.
+void requireUnknown(const SurfaceData& data)
+{
+    if (data.unknownBins.empty()) return;
+    require(std::ssize(data.unknownBins) == data.heights.rows(),
+            TR_NOOP("core", "its unknown heights do not fit its training rows"));
+    require(std::ranges::any_of(data.unknownBins, [](unsigned mask) { return mask != 0; }),
+            TR_NOOP("core", "its table of unknown heights names none"));
+    for (std::size_t u = 0; u < data.unknownBins.size(); ++u) {
+        const auto row = static_cast<Eigen::Index>(u);
+        require(data.unknownBins[u] < 1U << static_cast<unsigned>(kBins),
+                TR_NOOP("core", "an unknown height is of a bin that does not exist"));
+        for (int bin = 0; bin < kBins; ++bin)
+            require(isKnown(data.unknownBins, u, bin)
+                        || (data.heights(row, bin) == 0.0
+                            && (data.heightSd.rows() == 0 || data.heightSd(row, bin) == 0.0)
+                            && data.clearance.residuals(row, bin) == 0.0),
+                    TR_NOOP("core", "it has a number for a height that is unknown"));
+    }
 }
 
 void requireClearance(const SurfaceData& model, const BinSet& bins)
@@ -117,7 +139,8 @@ void requireClearance(const SurfaceData& model, const BinSet& bins)
     for (const unsigned mask : data.coveredBins)
         require(mask < 1U << static_cast<unsigned>(kBins),
                 TR_NOOP("core", "a row covers a bin that does not exist"));
-    for (const int bin : binsOf(bins)) requireSurfaces(data, bin);
+    requireUnknown(model);
+    for (const int bin : binsOf(bins)) requireSurfaces(model, bin);
 }
 
 /// Checks that a number of a side is in its column's range and a multiple of its step.
@@ -197,6 +220,16 @@ void requireScannedHeights(const ModelData& model)
         }
 }
 
+/// Checks that the conditionals learn from known heights, once sizes are checked.
+void requireCompleteScans(const ModelData& model)
+{
+    if (model.unknownBins.empty()) return;
+    const std::span first(model.unknownBins.data(),
+                          static_cast<std::size_t>(model.scannedHeights.rows()));
+    require(std::ranges::all_of(first, [](unsigned mask) { return mask == 0; }),
+            TR_NOOP("core", "a scanned row has an unknown height"));
+}
+
 void requireBin(const Hyperparameters& bin, double logLikelihood, Eigen::Index size,
                 const Message& what)
 {
@@ -268,6 +301,7 @@ void requireModel(const ModelData& model, const Portion* portion)
     requireScannedHeights(model);
     requireHeightSd(model);
     requireClearance(model, bins);
+    requireCompleteScans(model);
     if (portion) {
         requirePortion(*portion);
         requireNoMore(model, bins);

@@ -55,6 +55,10 @@ public:
         add(hyper.signalSd);
         add(hyper.noiseSd);
     }
+    void addMasks(const std::vector<unsigned>& masks)
+    {
+        for (const unsigned mask : masks) add(std::uint64_t{mask});
+    }
     void add(const ClearanceData& data)
     {
         add(Eigen::MatrixXd(data.featureMean));
@@ -63,7 +67,7 @@ public:
             for (const int bin : bins_) add((*processes)[static_cast<std::size_t>(bin)]);
         for (const auto* conditionals : {&data.conditionalOpen, &data.conditionalCovered})
             for (const int bin : bins_) add((*conditionals)[static_cast<std::size_t>(bin)]);
-        for (const unsigned mask : data.coveredBins) add(std::uint64_t{mask});
+        addMasks(data.coveredBins);
         add(data.residuals);
         add(data.noveltyScale);
         add(data.contactBias);
@@ -104,6 +108,10 @@ std::string hashOf(const ModelData& model, const Portion* portion)
         canonical.add(std::string_view("sd of heights"));
         canonical.add(model.heightSd);
     }
+    if (!model.unknownBins.empty()) {
+        canonical.add(std::string_view("unknown heights"));
+        canonical.addMasks(model.unknownBins);
+    }
     if (model.hasSides()) {
         canonical.add(std::string_view("two tracks"));
         canonical.add(model.sides.features);
@@ -112,6 +120,10 @@ std::string hashOf(const ModelData& model, const Portion* portion)
         canonical.add(model.sidesHash);
         canonical.add(model.sidesCommand);
         if (model.sides.heightSd.rows() > 0) canonical.add(model.sides.heightSd);
+        if (!model.sides.unknownBins.empty()) {
+            canonical.add(std::string_view("unknown heights of two tracks"));
+            canonical.addMasks(model.sides.unknownBins);
+        }
     }
     return sha256Hex(canonical.bytes());
 }

@@ -38,13 +38,22 @@ SqliteTable sdTable(const std::string& name)
     return {name, sql + ") STRICT"};
 }
 
+/// Returns a table of numbered rows with a mask of bins.
+SqliteTable unknownTable(const std::string& name)
+{
+    return {name, "CREATE TABLE " + name
+                      + "(row INTEGER PRIMARY KEY, unknown_bins REAL NOT NULL) STRICT"};
+}
+
 }  // namespace
 
 ModelContent contentOf(const ModelData& model)
 {
     return {.sides = model.hasSides(),
             .heightSd = model.heightSd.rows() > 0,
-            .sideSd = model.hasSides() && model.sides.heightSd.rows() > 0};
+            .sideSd = model.hasSides() && model.sides.heightSd.rows() > 0,
+            .unknown = !model.unknownBins.empty(),
+            .sideUnknown = model.hasSides() && !model.sides.unknownBins.empty()};
 }
 
 std::vector<SqliteTable> schema(const ModelContent& content)
@@ -82,6 +91,8 @@ std::vector<SqliteTable> schema(const ModelContent& content)
     if (content.sides) add(sideTables());
     if (content.heightSd) tables.push_back(sdTable(kSdTable));
     if (content.sideSd) tables.push_back(sdTable(kSideSdTable));
+    if (content.unknown) tables.push_back(unknownTable(kUnknownTable));
+    if (content.sideUnknown) tables.push_back(unknownTable(kSideUnknownTable));
     std::sort(tables.begin(), tables.end(),
               [](const SqliteTable& a, const SqliteTable& b) { return a.name < b.name; });
     return tables;
@@ -112,6 +123,10 @@ std::map<std::string, std::string> explanations(const ModelContent& content)
         texts["height_sd"] = "sd of each height of the same training_row (side_: rows 2k and 2k + "
                              "1 are left and right "
                              "of side_row k): its square is added to the noise of that row";
+    if (content.unknown || content.sideUnknown)
+        texts["unknown_bins"] = "bit i of unknown_bins is set where the height of bin i is unknown "
+                                "in the same training_row (side_: rows 2k and 2k + 1 are left and "
+                                "right of side_row k): the row counts for its other bins only";
     return texts;
 }
 

@@ -34,11 +34,17 @@ std::size_t inputs(FeatureSet set);
 inline constexpr const char* kSdTable = "height_sd_row";
 inline constexpr const char* kSideSdTable = "side_height_sd_row";
 
+/// Table of the bins whose height is unknown in a row, which a model without such rows does not have.
+inline constexpr const char* kUnknownTable = "unknown_bins_row";
+inline constexpr const char* kSideUnknownTable = "side_unknown_bins_row";
+
 /// Optional content of a model.
 struct ModelContent {
-    bool sides = false;     ///< of two tracks
-    bool heightSd = false;  ///< the heights of training rows have an sd
-    bool sideSd = false;    ///< those of sides have one
+    bool sides = false;        ///< of two tracks
+    bool heightSd = false;     ///< the heights of training rows have an sd
+    bool sideSd = false;       ///< those of sides have one
+    bool unknown = false;      ///< rows have unknown heights
+    bool sideUnknown = false;  ///< rows of sides have some
 };
 ModelContent contentOf(const ModelData& model);
 

@@ -50,7 +50,7 @@ bool sameRows(const ModelData& a, const ModelData& b)
 {
     return a.repeats == b.repeats && equal(a.heights, b.heights) && equal(a.features, b.features)
         && equal(a.scannedHeights, b.scannedHeights) && equal(a.heightSd, b.heightSd)
-        && sameInputs(a.pa, b.pa) && sameInputs(a.paf, b.paf)
+        && a.unknownBins == b.unknownBins && sameInputs(a.pa, b.pa) && sameInputs(a.paf, b.paf)
         && equal(a.clearance.featureMean, b.clearance.featureMean)
         && equal(a.clearance.featureSd, b.clearance.featureSd)
         && a.clearance.coveredBins == b.clearance.coveredBins;

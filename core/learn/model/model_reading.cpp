@@ -50,7 +50,9 @@ ModelContent readSchema(SqliteFile& file, bool sides)
 {
     const ModelContent content{.sides = sides,
                                .heightSd = hasTable(file, kSdTable),
-                               .sideSd = sides && hasTable(file, kSideSdTable)};
+                               .sideSd = sides && hasTable(file, kSideSdTable),
+                               .unknown = hasTable(file, kUnknownTable),
+                               .sideUnknown = sides && hasTable(file, kSideUnknownTable)};
     require(hasOnlyTables(file, schema(content)),
             TR_NOOP("core", "its tables are not those of a Terratact model"));
     return content;
@@ -231,6 +233,24 @@ Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::In
     return values;
 }
 
+/// Returns masks of bins. Throws Refused with `what` for a number that is none.
+std::vector<unsigned> masksFrom(const Eigen::VectorXd& numbers, SourceText what)
+{
+    std::vector<unsigned> masks;
+    masks.reserve(static_cast<std::size_t>(numbers.size()));
+    for (const double mask : numbers) {
+        require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask), what);
+        masks.push_back(static_cast<unsigned>(mask));
+    }
+    return masks;
+}
+
+std::vector<unsigned> readUnknown(SqliteFile& file, const std::string& table, Eigen::Index most)
+{
+    return masksFrom(readMatrix(file, table, 1, most),
+                     TR_NOOP("core", "an unknown height is of a bin that does not exist"));
+}
+
 void readRows(SqliteFile& file, ModelData& model)
 {
     const Eigen::MatrixXd rows = readMatrix(file, "training_row", kBins + Eigen::Index{kFeatures});
@@ -261,11 +281,8 @@ void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
     for (const char* table : {"clearance_conditional", "clearance_conditional_scale"})
         requireBinsOnly(file, table, bins);
     const Eigen::MatrixXd rows = readMatrix(file, "residual_row", kBins + 1);
-    for (const double mask : rows.col(0)) {
-        require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask),
-                TR_NOOP("core", "a row covers a bin that does not exist"));
-        data.coveredBins.push_back(static_cast<unsigned>(mask));
-    }
+    data.coveredBins =
+        masksFrom(rows.col(0), TR_NOOP("core", "a row covers a bin that does not exist"));
     data.residuals = rows.rightCols(kBins);
 }
 
@@ -304,6 +321,10 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
     if (content.heightSd) model.heightSd = readMatrix(file, kSdTable, kBins);
     if (content.sideSd)
         model.sides.heightSd = readMatrix(file, kSideSdTable, kBins, Eigen::Index{2} * kKeptScenes);
+    if (content.unknown) model.unknownBins = readUnknown(file, kUnknownTable, kMaxRows);
+    if (content.sideUnknown)
+        model.sides.unknownBins =
+            readUnknown(file, kSideUnknownTable, Eigen::Index{2} * kKeptScenes);
     requireModel(model, portion);
     std::string hash = hashOf(model, portion);
     require(hash == stored,

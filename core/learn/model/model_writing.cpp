@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string_view>
+#include <vector>
 
 #include "core/learn/data/columns.h"
 #include "core/learn/model/model_hash.h"
@@ -108,6 +109,15 @@ void writeClearance(SqliteFile& file, const ClearanceData& data, const BinSet& b
     writeMatrix(file, "residual_row", rows);
 }
 
+/// Writes masks of bins as numbered rows.
+void writeMasks(SqliteFile& file, const std::string& table, const std::vector<unsigned>& masks)
+{
+    Eigen::MatrixXd column(std::ssize(masks), 1);
+    for (Eigen::Index u = 0; u < column.rows(); ++u)
+        column(u, 0) = masks[static_cast<std::size_t>(u)];
+    writeMatrix(file, table, column);
+}
+
 void writeRows(SqliteFile& file, const ModelData& model)
 {
     Eigen::MatrixXd rows(model.heights.rows(), kBins + Eigen::Index{kFeatures});
@@ -116,6 +126,8 @@ void writeRows(SqliteFile& file, const ModelData& model)
     writeMatrix(file, "scanned_row", model.scannedHeights);
     if (contentOf(model).heightSd) writeMatrix(file, kSdTable, model.heightSd);
     if (contentOf(model).sideSd) writeMatrix(file, kSideSdTable, model.sides.heightSd);
+    if (contentOf(model).unknown) writeMasks(file, kUnknownTable, model.unknownBins);
+    if (contentOf(model).sideUnknown) writeMasks(file, kSideUnknownTable, model.sides.unknownBins);
 }
 
 }  // namespace

@@ -27,14 +27,13 @@ Hyperparameters withoutNeedless(const Hyperparameters& known)
 /// Returns the rows in order: every n-th row, and all rows of a bin's regime with few rows.
 std::vector<int> chosenRows(const SurfaceData& model)
 {
-    const std::vector<unsigned>& coveredBins = model.clearance.coveredBins;
-    const std::size_t rows = coveredBins.size();
+    const std::size_t rows = model.clearance.coveredBins.size();
     const std::size_t every = std::max<std::size_t>(1, rows / std::size_t{kReducedRows});
     std::vector<bool> chosen(rows, false);
     for (std::size_t u = 0; u < rows; u += every) chosen[u] = true;
     for (int bin = 0; bin < kBins; ++bin)
         for (const bool covered : {false, true}) {
-            const std::vector<int> own = rowsOf(coveredBins, bin, covered);
+            const std::vector<int> own = rowsOf(model, bin, covered);
             if (own.size() > kFewRows) continue;
             for (const int u : own) chosen[static_cast<std::size_t>(u)] = true;
         }
@@ -61,6 +60,9 @@ SurfaceData thinned(const SurfaceData& model)
     some.clearance.covered = all.covered;
     for (const int u : rows)
         some.clearance.coveredBins.push_back(all.coveredBins[static_cast<std::size_t>(u)]);
+    for (const int u : rows)
+        if (!model.unknownBins.empty())
+            some.unknownBins.push_back(model.unknownBins[static_cast<std::size_t>(u)]);
     some.clearance.residuals = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), kBins);
     return some;
 }

@@ -1,11 +1,14 @@
 #include "core/learn/model/side_training.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/learn/data/side_features.h"
 #include "core/learn/model/clearance_training.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/learn/model/training.h"
 
 namespace terratact {
@@ -14,13 +17,10 @@ namespace {
 
 constexpr double kTurnedDifferential = 0.02;  // [rad]
 
-bool isComplete(const TwoTrackScene& scene)
+bool isUsable(const TwoTrackScene& scene)
 {
-    const auto known = [](const OptionalHeights& heights) {
-        return std::ranges::all_of(heights, [](const auto& h) { return h.has_value(); });
-    };
-    return absentFeatures(scene.s, Side::Left).none() && known(scene.truth[0])
-        && known(scene.truth[1])
+    return absentFeatures(scene.s, Side::Left).none()
+        && (knowsHeights(scene.truth[0]) || knowsHeights(scene.truth[1]))
         && std::abs(scene.s.differential.value_or(0.0)) <= kTurnedDifferential;
 }
 
@@ -30,11 +30,29 @@ void writeRow(SurfaceData& rows, Eigen::Index row, const TwoTrackScene& scene, S
     for (Eigen::Index d = 0; d < features.size(); ++d)
         rows.features(row, d) = inSteps(features[d], sideFeatureStep(static_cast<std::size_t>(d)));
     const OptionalHeights& truth = scene.truth[side == Side::Left ? 0 : 1];
-    for (Eigen::Index i = 0; i < kBins; ++i)
-        rows.heights(row, i) = inSteps(*truth[static_cast<std::size_t>(i)], kHeightStep);
     const OptionalHeights& sd = scene.truthSd[side == Side::Left ? 0 : 1];
-    for (Eigen::Index i = 0; i < kBins; ++i)
-        rows.heightSd(row, i) = inSteps(sd[static_cast<std::size_t>(i)].value_or(0.0), kHeightStep);
+    for (std::size_t i = 0; i < kBins; ++i) {
+        const auto bin = static_cast<Eigen::Index>(i);
+        rows.heights(row, bin) = inSteps(truth[i].value_or(0.0), kHeightStep);
+        rows.heightSd(row, bin) = truth[i] ? inSteps(sd[i].value_or(0.0), kHeightStep) : 0.0;
+    }
+    rows.unknownBins[static_cast<std::size_t>(row)] = unknownMask(truth);
+}
+
+/// Throws std::invalid_argument unless every bin is known in enough scenes to learn it.
+void requireKnownBins(const SurfaceData& rows)
+{
+    for (int bin = 0; bin < kBins; ++bin) {
+        std::size_t known = 0;
+        for (std::size_t left = 0; left < rows.unknownBins.size(); left += 2)
+            if (isKnown(rows.unknownBins, left, bin) || isKnown(rows.unknownBins, left + 1, bin))
+                ++known;
+        if (known < std::size_t{kMinTrainingRows})
+            throw std::invalid_argument(fmt::format(
+                "two tracks need at least {} scenes that know the height of bin {:+.1f} "
+                "m on one side, found {}",
+                kMinTrainingRows, binCentre(bin), known));
+    }
 }
 
 }  // namespace
@@ -52,24 +70,30 @@ double inSteps(double value, double step)
 
 SideTrainingSet prepareSides(const std::vector<TwoTrackScene>& scenes)
 {
-    std::vector<const TwoTrackScene*> complete;
+    std::vector<const TwoTrackScene*> usable;
     for (const TwoTrackScene& scene : scenes)
-        if (isComplete(scene) && std::ssize(complete) < kMaxSideScenes) complete.push_back(&scene);
-    if (complete.size() < std::size_t{kMinTrainingRows})
-        throw std::invalid_argument("two tracks need at least 30 scenes with all heights, currents "
-                                    "and front forces of both sides");
+        if (isUsable(scene) && std::ssize(usable) < kMaxSideScenes) usable.push_back(&scene);
+    if (usable.size() < std::size_t{kMinTrainingRows})
+        throw std::invalid_argument(fmt::format(
+            "two tracks need at least {} scenes with heights, and with all currents and "
+            "front forces of both sides, found {}",
+            kMinTrainingRows, usable.size()));
     SideTrainingSet set;
-    set.used = static_cast<int>(complete.size());
+    set.used = static_cast<int>(usable.size());
     set.leftOut = static_cast<int>(scenes.size()) - set.used;
-    const Eigen::Index rows = 2 * std::ssize(complete);
+    const Eigen::Index rows = 2 * std::ssize(usable);
     set.rows.features.resize(rows, Eigen::Index{kSideFeatures});
     set.rows.heights.resize(rows, kBins);
     set.rows.heightSd.resize(rows, kBins);
-    for (Eigen::Index k = 0; k < std::ssize(complete); ++k) {
-        const TwoTrackScene& scene = *complete[static_cast<std::size_t>(k)];
+    set.rows.unknownBins.resize(static_cast<std::size_t>(rows));
+    for (Eigen::Index k = 0; k < std::ssize(usable); ++k) {
+        const TwoTrackScene& scene = *usable[static_cast<std::size_t>(k)];
         writeRow(set.rows, 2 * k, scene, Side::Left);
         writeRow(set.rows, 2 * k + 1, scene, Side::Right);
+        if ((unknownMask(scene.truth[0]) | unknownMask(scene.truth[1])) != 0) ++set.withHoles;
     }
+    requireKnownBins(set.rows);
+    if (set.withHoles == 0) set.rows.unknownBins.clear();
     if ((set.rows.heightSd.array() == 0.0).all()) set.rows.heightSd.resize(0, 0);
     return set;
 }

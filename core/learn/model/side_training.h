@@ -29,14 +29,16 @@ double sideFeatureStep(std::size_t feature);
 double inSteps(double value, double step);
 
 /// Training rows of both sides (SurfaceData), in the order of the scenes, rounded to steps. Scenes
-/// that lack a height, a current or a front force are left out, and those whose differential has
+/// that lack a current, a front force or every height are left out, and those whose differential has
 /// turned.
 struct SideTrainingSet {
     SurfaceData rows;
     int used = 0, leftOut = 0;  ///< scenes
+    int withHoles = 0;          ///< those of `used` with unknown heights
 };
 
-/// Throws std::invalid_argument if fewer than kMinTrainingRows scenes are left.
+/// Throws std::invalid_argument if fewer than kMinTrainingRows scenes are left, or if a bin's height
+/// is known in fewer.
 SideTrainingSet prepareSides(const std::vector<TwoTrackScene>& scenes);
 
 /// Completes the sides once all bins are stored: keeps kKeptScenes scenes, rounds the residuals, and

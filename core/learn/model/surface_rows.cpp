@@ -42,11 +42,27 @@ unsigned coveredBins(const Heights& ceiling)
     return mask;
 }
 
-std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered)
+std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins,
+                        const std::vector<unsigned>& unknownBins, int bin, bool covered)
 {
     std::vector<int> rows;
     for (std::size_t u = 0; u < coveredBins.size(); ++u)
-        if (isCovered(coveredBins[u], bin) == covered) rows.push_back(static_cast<int>(u));
+        if (isCovered(coveredBins[u], bin) == covered && isKnown(unknownBins, u, bin))
+            rows.push_back(static_cast<int>(u));
+    return rows;
+}
+
+std::vector<int> rowsOf(const SurfaceData& model, int bin, bool covered)
+{
+    return rowsOf(model.clearance.coveredBins, model.unknownBins, bin, covered);
+}
+
+std::vector<int> completeRows(const SurfaceData& model)
+{
+    std::vector<int> rows;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u)
+        if (model.unknownBins.empty() || model.unknownBins[static_cast<std::size_t>(u)] == 0)
+            rows.push_back(static_cast<int>(u));
     return rows;
 }
 
@@ -57,7 +73,7 @@ bool holdsSides(const SurfaceData& model)
 
 std::vector<int> placesOf(const SurfaceData& model)
 {
-    if (model.repeats > 0) return placesOf(model.features, model.heights);
+    if (model.repeats > 0) return placesOf(model.features, model.heights, model.unknownBins);
     std::vector<int> own(static_cast<std::size_t>(model.heights.rows()));
     std::iota(own.begin(), own.end(), 0);
     if (holdsSides(model))

@@ -25,8 +25,20 @@ constexpr bool isCovered(unsigned mask, int bin)
     return (mask >> static_cast<unsigned>(bin) & 1U) != 0;
 }
 
-/// Returns the training rows of the bin in that regime, in order.
-std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
+/// Returns the training rows of the bin in that regime whose height is known, in order.
+/// unknownBins: as in SurfaceData.
+std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins,
+                        const std::vector<unsigned>& unknownBins, int bin, bool covered);
+std::vector<int> rowsOf(const SurfaceData& model, int bin, bool covered);
+
+/// Returns true if the height of that bin is known in that row. unknownBins: as in SurfaceData.
+inline bool isKnown(const std::vector<unsigned>& unknownBins, std::size_t row, int bin)
+{
+    return unknownBins.empty() || !isCovered(unknownBins[row], bin);
+}
+
+/// Returns the rows whose eleven heights are known, in order.
+std::vector<int> completeRows(const SurfaceData& model);
 
 /// Returns the place of each training row: the number of the first row that it repeats
 /// (scene_copies.h), or its own. Without repeats in the model, each row has its own. Both sides of a

@@ -136,16 +136,31 @@ std::vector<int> drawRows(int total, int wanted, std::uint64_t seed)
 Eigen::MatrixXd heightSdOf(const std::vector<const Scene*>& scenes)
 {
     Eigen::MatrixXd sd = Eigen::MatrixXd::Zero(std::ssize(scenes), kBins);
-    for (Eigen::Index u = 0; u < sd.rows(); ++u)
-        for (Eigen::Index i = 0; i < kBins; ++i)
-            sd(u, i) =
-                scenes[static_cast<std::size_t>(u)]->truthSd[static_cast<std::size_t>(i)].value_or(
-                    0.0);
+    for (Eigen::Index u = 0; u < sd.rows(); ++u) {
+        const Scene& scene = *scenes[static_cast<std::size_t>(u)];
+        for (std::size_t i = 0; i < kBins; ++i)
+            if (scene.truth[i])
+                sd(u, static_cast<Eigen::Index>(i)) = scene.truthSd[i].value_or(0.0);
+    }
     if ((sd.array() == 0.0).all()) sd.resize(0, 0);
     return sd;
 }
 
-/// places: number of rows that start a place; they come first.
+/// Returns the scenes with all features and at least one height; those with all heights come first.
+std::vector<const Scene*> usableScenes(const std::vector<Scene>& scenes)
+{
+    std::vector<const Scene*> complete, incomplete;
+    for (const Scene& scene : scenes) {
+        if (isComplete(scene))
+            complete.push_back(&scene);
+        else if (missingFeature(FeatureSet::Paf, scene.s).empty() && knowsHeights(scene.truth))
+            incomplete.push_back(&scene);
+    }
+    complete.insert(complete.end(), incomplete.begin(), incomplete.end());
+    return complete;
+}
+
+/// places: number of complete rows that start a place; they come first.
 void setConditionalRows(ModelData& model, Eigen::Index places, const RowOptions& options)
 {
     const Eigen::Index rows = std::min<Eigen::Index>(options.conditionalRows, places);
@@ -161,31 +176,32 @@ void setConditionalRows(ModelData& model, Eigen::Index places, const RowOptions&
 
 bool isComplete(const Scene& scene)
 {
-    return missingFeature(FeatureSet::Paf, scene.s).empty()
-        && std::all_of(scene.truth.begin(), scene.truth.end(),
-                       [](const auto& h) { return h.has_value(); });
+    return missingFeature(FeatureSet::Paf, scene.s).empty() && unknownMask(scene.truth) == 0;
 }
 
 TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& options)
 {
     TrainingSet set;
-    std::vector<const Scene*> rows;
-    for (const Scene& scene : scenes)
-        if (isComplete(scene)) rows.push_back(&scene);
+    std::vector<const Scene*> rows = usableScenes(scenes);
     set.leftOut = static_cast<int>(scenes.size() - rows.size());
     SceneCopies copies = withoutCopies(rows);
     rows = std::move(copies.kept);
     set.exactCopies = static_cast<int>(copies.exact);
     set.nearCopies = static_cast<int>(copies.repeats.size());
-    const auto places = static_cast<int>(rows.size());
+    const auto places = static_cast<int>(
+        std::ranges::find_if_not(rows, [](const Scene* scene) { return isComplete(*scene); })
+        - rows.begin());
+    const auto incomplete = static_cast<int>(rows.size()) - places;
     rows.insert(rows.end(), copies.repeats.begin(), copies.repeats.end());
     set.runsWithCopies = std::move(copies.runs);
     set.used = static_cast<int>(rows.size());
     if (places < kMinTrainingRows)
         throw std::invalid_argument(
             fmt::format("training needs at least {} scenes with all heights, currents and "
-                        "forces known, each other than the rest, found {}",
-                        kMinTrainingRows, places));
+                        "forces known, each other than the rest, found {}{}",
+                        kMinTrainingRows, places,
+                        incomplete > 0 ? fmt::format(" and {} with unknown heights", incomplete)
+                                       : std::string()));
     ModelData& model = set.model;
     model.repeats = set.nearCopies;
     model.heights.resize(set.used, kBins);
@@ -194,9 +210,12 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     for (Eigen::Index u = 0; u < set.used; ++u) {
         const Scene& scene = *rows[static_cast<std::size_t>(u)];
         for (Eigen::Index i = 0; i < kBins; ++i)
-            model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
+            model.heights(u, i) = scene.truth[static_cast<std::size_t>(i)].value_or(0.0);
+        model.unknownBins.push_back(unknownMask(scene.truth));
+        if (model.unknownBins.back() != 0) ++set.withHoles;
         model.features.row(u) = features(FeatureSet::Paf, scene.s).transpose();
     }
+    if (set.withHoles == 0) model.unknownBins.clear();
     model.heightSd = heightSdOf(rows);
     setConditionalRows(model, places, options);
     setStandardisation(model, model.pa, FeatureSet::Pa);

@@ -26,14 +26,15 @@ struct RowOptions {
 };
 
 /// Training rows of a model: heights, features and their standardisation; hyper-parameters are
-/// still unset. Scenes that lack a height or a feature are left out, and then exact copies
-/// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, then the
-/// near copies. The conditionals learn from the former only. Throws std::invalid_argument if fewer
-/// than 30 places are left, or if an input never varies. heightSd has rows if a scene states the sd of a height.
+/// still unset. Scenes that lack a feature or every height are left out, and then exact copies
+/// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, those with
+/// all heights before those with some, then the near copies. The conditionals learn from complete
+/// first scenes only. Throws std::invalid_argument if fewer than 30 of these are left, or if an input never varies. heightSd has rows if a scene states the sd of a height.
 struct TrainingSet {
     ModelData model;
     int used = 0;
-    int leftOut = 0;                       ///< incomplete scenes that were left out
+    int leftOut = 0;                       ///< scenes that were left out for unknown values
+    int withHoles = 0;                     ///< those of `used` with unknown heights
     int exactCopies = 0;                   ///< exact copies that were left out
     int nearCopies = 0;                    ///< near copies: the last rows of `used`
     std::set<std::string> runsWithCopies;  ///< drives of the near copies

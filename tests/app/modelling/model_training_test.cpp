@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -60,6 +61,28 @@ TEST_F(Training, advisesInducingRowsForManyScenes)
     plan.inducing = 0;
     scenes.resize(kManyRows);
     EXPECT_EQ(noticesOf(scenes).find("--inducing"), std::string::npos);
+}
+
+TEST_F(Training, countsScenesWithHolesAndLearnsThem)
+{
+    std::vector<Scene> scenes = someScenes(8, 1);
+    for (std::size_t k = 0; k < 5; ++k) scenes[k].truth[10].reset();
+    scenes[5].truth = {};
+    plan.data = written("learn.csv", scenes);
+    std::string said;
+    const auto model =
+        trainModel(plan, {.cancelled = {}, .progress = {}, .notice = [&](const Message& s) {
+                              said += s.english() + "\n";
+                          }});
+    ASSERT_TRUE(model) << model.error().text;
+    EXPECT_NE(said.find("1 scenes with unknown values left out"), std::string::npos) << said;
+    EXPECT_NE(said.find("5 scenes have unknown heights"), std::string::npos) << said;
+    const std::string path = directory.file("model.ttm");
+    ASSERT_TRUE(writeModel(path, *model));
+    const auto read = readModel(path);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->data.unknownBins, model->unknownBins);
+    EXPECT_EQ(std::ranges::count(read->data.unknownBins, 1U << 10U), 5);
 }
 
 TEST_F(Training, reportsTheStartAndEndOfEachBin)

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/learn/data/columns.h"
+#include "core/learn/model/surface_rows.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {
@@ -51,6 +52,30 @@ const Baseline& named(const std::vector<std::unique_ptr<Baseline>>& all, std::st
     for (const auto& baseline : all)
         if (baseline->name() == name) return *baseline;
     throw std::invalid_argument("no such baseline");
+}
+
+TEST(Baselines, learnFromCompleteRowsOnly)
+{
+    const World world(60);
+    ModelData holed = world.model;
+    holed.unknownBins.assign(60, 0U);
+    for (std::size_t u = 1; u < 60; u += 3) {
+        holed.unknownBins[u] = 1U << 4U;
+        holed.heights(static_cast<Eigen::Index>(u), 4) = 0.0;
+    }
+    ModelData rest;
+    const std::vector<int> rows = completeRows(holed);
+    rest.heights = holed.heights(rows, Eigen::all);
+    rest.features = holed.features(rows, Eigen::all);
+    const auto some = fitBaselines(absolem(), holed, oneByOne);
+    const auto same = fitBaselines(absolem(), rest, oneByOne);
+    const Proprioception s = senses(world.model.features.row(1).transpose());
+    for (std::size_t k = 0; k < same.size(); ++k) {
+        EXPECT_EQ(some[k]->forecast(s).height, same[k]->forecast(s).height) << same[k]->name();
+        EXPECT_EQ(some[k]->forecast(s).sd, same[k]->forecast(s).sd) << same[k]->name();
+    }
+    holed.unknownBins.assign(60, 1U);
+    EXPECT_THROW((void)fitBaselines(absolem(), holed, oneByOne), std::invalid_argument);
 }
 
 TEST(Baselines, areFourInAFixedOrderAndNeedRows)

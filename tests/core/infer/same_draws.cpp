@@ -180,7 +180,7 @@ ModelData someClearances(const RobotModel& robot)
     for (int bin = 0; bin < kBins; ++bin)
         for (const bool covered : {false, true}) {
             auto& process = (covered ? data.covered : data.open)[static_cast<std::size_t>(bin)];
-            const auto rows = inducingRows(rowsOf(data.coveredBins, bin, covered));
+            const auto rows = inducingRows(rowsOf(data.coveredBins, {}, bin, covered));
             process.mean = covered ? 0.5 : -0.3;
             process.residualSd = 0.1;
             if (rows.empty()) continue;

@@ -96,6 +96,26 @@ TEST(SceneCopies, aPosePressedTwiceCountsAsOnePlace)
     }
 }
 
+TEST(SceneCopies, holesAreComparedByTheirKnownBins)
+{
+    std::mt19937_64 rng(1);
+    Scene first = scenesOf(20)[3];
+    Scene second = again(first, rng);
+    ASSERT_TRUE(isNearCopy(first, second));
+    first.truth[2].reset();
+    second.truth[2] = *second.truth[2] + 1.0;
+    EXPECT_TRUE(isNearCopy(first, second)) << "bin 2 is known once only";
+    second.truth[3] = *second.truth[3] + 0.5;
+    EXPECT_FALSE(isNearCopy(first, second));
+    second.truth.fill({});
+    EXPECT_FALSE(isNearCopy(first, second)) << "no common bin";
+    Scene holed = first;
+    holed.truth[5].reset();
+    const SceneCopies copies = withoutCopies({&first, &holed, &first});
+    EXPECT_EQ(copies.exact, 1U) << "a scene with another hole is no exact copy";
+    EXPECT_EQ(copies.repeats.size(), 1U);
+}
+
 /// Returns the share of true heights within the 80 % bands.
 double coverage(const ModelData& model, const std::vector<Scene>& scenes)
 {

@@ -49,6 +49,32 @@ TEST(ClearanceModel, predictsWhatTrainingLeftOver)
     EXPECT_LT(fit, leftOut);
 }
 
+TEST(ClearanceModel, covarianceIsThatOfCompleteScenes)
+{
+    ModelData holed = toy();
+    holed.unknownBins.assign(static_cast<std::size_t>(toy().heights.rows()), 0U);
+    ModelData marked = holed;
+    const Eigen::Index last = toy().heights.rows() - 1;
+    // Every row is an inducing row here, so the processes lose a weight with the last row.
+    holed.unknownBins.back() = (1U << unsigned{kBins}) - 1U;
+    holed.heights.row(last).setZero();
+    holed.clearance.residuals.row(last).setZero();
+    for (int bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true}) {
+            auto& process = (covered ? holed.clearance.covered
+                                     : holed.clearance.open)[static_cast<std::size_t>(bin)];
+            const auto rows = inducingRows(rowsOf(holed, bin, covered)).size();
+            if (process.weights.size() > 0)
+                process.weights.conservativeResize(static_cast<Eigen::Index>(rows));
+        }
+    marked.clearance.residuals.row(last).setConstant(1000.0);
+    const unsigned covered = toy().clearance.coveredBins.back();
+    const Eigen::MatrixXd c = ClearanceModel(holed).residualCovariance(covered);
+    EXPECT_LT(c.trace(), 0.1 * ClearanceModel(marked).residualCovariance(covered).trace());
+    EXPECT_NEAR(c.trace(), ClearanceModel(toy()).residualCovariance(covered).trace(),
+                0.2 * c.trace());
+}
+
 TEST(ClearanceModel, weighsTheResidualsOfLikeScenes)
 {
     const ClearanceModel model(toy());
@@ -158,8 +184,8 @@ TEST(ClearanceTraining, needsOneRowOfCeilingsPerScene)
 TEST(Rows, areSplitByRegimeAndThinnedEvenly)
 {
     const std::vector<unsigned> masks{1U, 0U, 1U, 3U};
-    EXPECT_EQ(rowsOf(masks, 0, true), (std::vector<int>{0, 2, 3}));
-    EXPECT_EQ(rowsOf(masks, 0, false), (std::vector<int>{1}));
+    EXPECT_EQ(rowsOf(masks, {}, 0, true), (std::vector<int>{0, 2, 3}));
+    EXPECT_EQ(rowsOf(masks, {}, 0, false), (std::vector<int>{1}));
     std::vector<int> many(2000);
     for (std::size_t k = 0; k < many.size(); ++k) many[k] = static_cast<int>(2 * k);
     const std::vector<int> chosen = inducingRows(many);

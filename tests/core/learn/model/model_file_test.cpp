@@ -118,6 +118,31 @@ TEST_F(ModelFile, storesTheSdOfHeightsIfThereIsOne)
     EXPECT_EQ(contentOf(path).find("height_sd"), std::string::npos);
 }
 
+TEST_F(ModelFile, storesUnknownHeightsIfThereAreSome)
+{
+    ModelData holed = model;
+    holed.unknownBins.assign(static_cast<std::size_t>(model.heights.rows()), 0U);
+    holed.unknownBins.back() = 1U << 10U;  // open in every row: no process has it as inducing row
+    holed.heights(model.heights.rows() - 1, 10) = 0.0;
+    holed.clearance.residuals(model.heights.rows() - 1, 10) = 0.0;
+    auto& open = holed.clearance.open[10];
+    open.weights.conservativeResize(open.weights.size() - 1);
+    ASSERT_TRUE(writeModel(path, holed));
+    const auto got = readModel(path);
+    ASSERT_TRUE(got) << got.error().text;
+    EXPECT_EQ(got->data.unknownBins, holed.unknownBins);
+    EXPECT_EQ(got->contentHash, contentHash(holed));
+    EXPECT_TRUE(refusesAfter("UPDATE unknown_bins_row SET unknown_bins = 2048 WHERE row = 1",
+                             {"unknown height", "does not exist"}));
+    EXPECT_TRUE(refusesAfter("UPDATE unknown_bins_row SET unknown_bins = 512 WHERE row = 2",
+                             {"a number for a height that is unknown"}));
+    EXPECT_TRUE(refusesAfter("UPDATE unknown_bins_row SET unknown_bins = 0", {"names none"}));
+    EXPECT_TRUE(refusesAfter("DELETE FROM unknown_bins_row WHERE row > 0", {"do not fit"}));
+    EXPECT_TRUE(refusesAfter("DROP TABLE unknown_bins_row", {"another kind of model"}));
+    ASSERT_TRUE(writeModel(path, model));
+    EXPECT_EQ(contentOf(path).find("unknown_bins"), std::string::npos);
+}
+
 TEST_F(ModelFile, numbersThatSqliteStoresInOtherFormsSurvive)
 {
     ModelData sent = model;

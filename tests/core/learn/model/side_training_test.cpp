@@ -53,6 +53,113 @@ TEST(SideTraining, learnsFromBothSidesOfEveryScene)
     EXPECT_THROW((void)prepareSides(scenes), std::invalid_argument);
 }
 
+/// Returns scenes in which every third right side does not know bins 5 and 10.
+std::vector<TwoTrackScene> withHoles(std::vector<TwoTrackScene> scenes)
+{
+    for (std::size_t k = 0; k < scenes.size(); k += 3) {
+        scenes[k].truth[1][5].reset();
+        scenes[k].truth[1][10].reset();
+    }
+    return scenes;
+}
+
+TEST(SideTraining, learnsTheKnownBinsOfScenesWithHoles)
+{
+    const std::vector<TwoTrackScene> scenes = someTrackScenes(6, 3);
+    const SideTrainingSet whole = prepareSides(scenes), holed = prepareSides(withHoles(scenes));
+    EXPECT_EQ(whole.withHoles, 0);
+    EXPECT_TRUE(whole.rows.unknownBins.empty());
+    EXPECT_EQ(holed.leftOut, 0);
+    EXPECT_EQ(holed.withHoles, (whole.used + 2) / 3);
+    const unsigned hole = 1U << 5U | 1U << 10U;
+    EXPECT_EQ(holed.rows.unknownBins[0], 0U);
+    EXPECT_EQ(holed.rows.unknownBins[1], hole);
+    EXPECT_EQ(std::ssize(completeRows(holed.rows)), 2 * holed.used - holed.withHoles);
+    EXPECT_EQ(holed.rows.heights.col(4), whole.rows.heights.col(4));
+    EXPECT_EQ(holed.rows.heights(1, 5), 0.0);
+    EXPECT_EQ(holed.rows.heights(0, 5), whole.rows.heights(0, 5));
+}
+
+TEST(SideTraining, namesTheBinThatTooFewScenesKnow)
+{
+    std::vector<TwoTrackScene> scenes = someTrackScenes(6, 3);
+    for (std::size_t k = 12; k < scenes.size(); ++k)
+        for (OptionalHeights& side : scenes[k].truth) side[10].reset();
+    try {
+        (void)prepareSides(scenes);
+        FAIL() << "12 scenes are too few";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("bin +0.7 m on one side, found 12"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(SideTraining, aHoleTouchesItsOwnBinsOnly)
+{
+    const SurfaceData holed = toySides(withHoles(someTrackScenes(8, 1)));
+    const SurfaceData whole = toySides(someTrackScenes(8, 1));
+    const ClearanceData &with = holed.clearance, &without = whole.clearance;
+    for (const std::size_t bin : {0U, 4U, 6U, 9U}) {
+        EXPECT_EQ(with.covered[bin].weights, without.covered[bin].weights) << bin;
+        EXPECT_EQ(with.open[bin].weights, without.open[bin].weights) << bin;
+    }
+    EXPECT_EQ(with.residuals.col(4), without.residuals.col(4));
+    EXPECT_EQ(with.residuals(1, 5), 0.0);
+    const double shift = with.open[10].mean - without.open[10].mean;
+    EXPECT_NE(shift, 0.0);
+    EXPECT_LT(std::abs(shift), 0.25 * without.open[10].residualSd) << "0 was no height";
+    EXPECT_NEAR(with.open[10].residualSd, without.open[10].residualSd,
+                0.3 * without.open[10].residualSd);
+}
+
+TEST(SideTraining, aHoleTakesTheResidualOfAnotherScene)
+{
+    const SurfaceData holed = toySides(withHoles(someTrackScenes(8, 1)));
+    const ClearanceModel model(holed);
+    const auto& covered = holed.clearance.coveredBins;
+    const ResidualSample sample =
+        model.sideResiduals(model, holed.features.row(0).transpose(), {covered[0], covered[1]});
+    Eigen::Index nearest = 0;  // the scene itself
+    sample.weight.maxCoeff(&nearest);
+    EXPECT_EQ(sample.residual(4, nearest), holed.clearance.residuals(0, 4));
+    EXPECT_EQ(sample.residual(kBins + 4, nearest), holed.clearance.residuals(1, 4));
+    const double borrowed = sample.residual(kBins + 10, nearest);
+    EXPECT_NE(borrowed, 0.0);
+    EXPECT_TRUE((holed.clearance.residuals.col(10).array() == borrowed).any());
+    const Eigen::MatrixXd c = model.sideCovariance(model, {covered[0], covered[1]});
+    EXPECT_TRUE(c.allFinite() && (c.diagonal().array() > 0.0).all());
+}
+
+TEST(SideTraining, estimatesWithoutAnyCompleteScene)
+{
+    std::vector<TwoTrackScene> scenes = someTrackScenes(8, 1);
+    for (std::size_t k = 0; k < scenes.size(); ++k) scenes[k].truth[k % 2][k % kBins].reset();
+    const SurfaceData holed = toySides(scenes);
+    const ClearanceModel model(holed);
+    const auto& covered = holed.clearance.coveredBins;
+    const Eigen::MatrixXd c = model.sideCovariance(model, {covered[0], covered[1]});
+    EXPECT_TRUE(c.allFinite() && (c.diagonal().array() > 0.0).all());
+    const double sd = holed.clearance.open[10].residualSd;
+    EXPECT_NEAR(std::sqrt(c(10, 10)), sd, 1e-12);
+}
+
+TEST(SideTraining, aFileKeepsItsHoles)
+{
+    const TemporaryDirectory dir;
+    ModelData sent = withSides();
+    sent.sides = toySides(withHoles(someTrackScenes(8, 1)));
+    ASSERT_TRUE(writeModel(dir.file("tracks.ttm"), sent));
+    const auto read = readModel(dir.file("tracks.ttm"));
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->data.sides.unknownBins, sent.sides.unknownBins);
+    EXPECT_EQ(read->contentHash, contentHash(sent));
+    execute(dir.file("tracks.ttm"),
+            "UPDATE side_unknown_bins_row SET unknown_bins = 1 WHERE row = 1");
+    EXPECT_TRUE(refused(readModel(dir.file("tracks.ttm")), dir.file("tracks.ttm"),
+                        {"a number for a height that is unknown"}));
+}
+
 TEST(SideTraining, aModelPredictsTheGroundItLearnt)
 {
     const ClearanceModel model(toy());

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "core/learn/gp/likelihood.h"
+#include "core/learn/model/surface_rows.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {
@@ -28,11 +30,49 @@ TEST(PrepareTraining, standardisesHeightsAndFeatures)
 TEST(PrepareTraining, leavesOutScenesWithUnknownValues)
 {
     auto scenes = someScenes(6, 3);
-    scenes[2].truth[4].reset();
+    scenes[2].truth = {};
     scenes[5].s.force[0].reset();
     const TrainingSet set = prepareTraining(scenes);
     EXPECT_EQ(set.leftOut, 2);
+    EXPECT_EQ(set.withHoles, 0);
+    EXPECT_TRUE(set.model.unknownBins.empty());
     EXPECT_EQ(set.used + set.exactCopies, static_cast<int>(scenes.size()) - 2);
+}
+
+TEST(PrepareTraining, usesScenesForTheBinsTheyKnow)
+{
+    auto scenes = someScenes(6, 3);
+    const TrainingSet whole = prepareTraining(scenes);
+    scenes[0].truth[4].reset();
+    scenes[0].truthSd[4] = 0.1;
+    const TrainingSet set = prepareTraining(scenes);
+    EXPECT_EQ(set.leftOut, 0);
+    EXPECT_EQ(set.withHoles, 1);
+    EXPECT_EQ(set.used, whole.used);
+    const ModelData& model = set.model;
+    ASSERT_EQ(std::ssize(model.unknownBins), set.used);
+    EXPECT_EQ(model.scannedHeights.rows(), whole.model.scannedHeights.rows() - 1);
+    EXPECT_EQ(model.heightSd.rows(), 0) << "an unknown height has no sd";
+    for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
+        EXPECT_EQ(model.unknownBins[static_cast<std::size_t>(u)], 0U)
+            << "complete scenes come first";
+    const Eigen::Index hole = model.scannedHeights.rows();
+    EXPECT_EQ(model.unknownBins[static_cast<std::size_t>(hole)], 1U << 4U);
+    EXPECT_EQ(model.heights(hole, 4), 0.0);
+    EXPECT_EQ(model.heights(hole, 5), *scenes[0].truth[5]);
+    EXPECT_EQ(std::ssize(completeRows(model)), set.used - 1);
+}
+
+TEST(PrepareTraining, needsEnoughCompleteScenes)
+{
+    auto scenes = someScenes(6, 3);
+    for (std::size_t k = 20; k < scenes.size(); ++k) scenes[k].truth[10].reset();
+    try {
+        (void)prepareTraining(scenes);
+        FAIL() << "20 complete scenes are too few";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("with unknown heights"), std::string::npos);
+    }
 }
 
 TEST(PrepareTraining, refusesTooFewScenesAndInputsThatNeverVary)
