@@ -71,7 +71,7 @@ double drawNormal(std::mt19937_64& rng)
     return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
 }
 
-double normalCdf(double z)
+double shareBelow(double z)
 {
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
@@ -148,7 +148,7 @@ double hazardProbability(double offset, double sd, double logDensity, bool isCov
     const double size = std::abs(offset);
     const double r = std::max(rate, kLeastHazardRate);
     const double density =
-        (isCovered ? 1.0 : 0.5) * normalCdf((size - kSmallestHazard) / sd)
+        (isCovered ? 1.0 : 0.5) * shareBelow((size - kSmallestHazard) / sd)
         / (std::max(size, kSmallestHazard) * std::log(kLargestHazard / kSmallestHazard));
     const double odds = std::log(r * density) - std::log1p(-r) - logDensity;
     return 1.0 / (1.0 + std::exp(-odds));
