@@ -124,11 +124,14 @@ Status SessionReruns::add(const std::string& file)
 
 Result<const EstimatorBundle*> SessionReruns::bundleOf(const RobotModel& robot,
                                                        const std::string& robotText,
-                                                       const std::string& path)
+                                                       const std::string& path, Method method)
 {
-    auto& bundle = bundles_[{robotText, path}];
+    const std::string trail = method == Method::Trail ? existingTrail(path) : std::string();
+    const auto with = bundles_.find({robotText, path, existingTrail(path)});
+    auto& bundle =
+        with != bundles_.end() && with->second ? with->second : bundles_[{robotText, path, trail}];
     if (!bundle) {
-        auto opened = openEstimatorBundle(robot, path, existingTrail(path));
+        auto opened = openEstimatorBundle(robot, path, trail);
         if (!opened) return opened.error();
         bundle = std::move(*opened);
     }
@@ -161,13 +164,13 @@ Status SessionReruns::repeat(SessionReader& session, const EstimateRow& row)
     bool recordedModel = false;
     const auto path = modelPath(session, row, recordedModel);
     if (!path) return path.error();
-    const auto bundle = bundleOf(*robot, session.start().robot, *path);
+    const Settings settings = changed(row.estimate.side[0].settings, options_.changes);
+    const auto bundle = bundleOf(*robot, session.start().robot, *path, settings.method);
     if (!bundle) return bundle.error();
     auto before = recordedEstimate(session, row);
     if (!before) return before.error();
     const Watch watch = hooks_.watch ? hooks_.watch(row) : Watch{};
     if (watch.cancelled && watch.cancelled()) throw Cancelled{};
-    const Settings settings = changed(row.estimate.side[0].settings, options_.changes);
     if (settings.method == Method::Trail) {
         if (const Status fits = requireNetworks(session, row, (*bundle)->models); !fits)
             return fits.error();

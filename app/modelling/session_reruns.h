@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -99,13 +100,14 @@ private:
     Status repeat(SessionReader& session, const EstimateRow& row);
     Result<std::string> modelPath(const SessionReader& session, const EstimateRow& row,
                                   bool& recordedOne) const;
+    /// Only the method trail needs the networks beside the model: another one ignores a broken file.
     Result<const EstimatorBundle*> bundleOf(const RobotModel& robot, const std::string& robotText,
-                                            const std::string& path);
+                                            const std::string& path, Method method);
 
     Options options_;
     Hooks hooks_;
-    std::map<std::pair<std::string, std::string>, std::unique_ptr<EstimatorBundle>>
-        bundles_;  ///< by robot and model file
+    std::map<std::array<std::string, 3>, std::unique_ptr<EstimatorBundle>>
+        bundles_;  ///< by robot, model file and networks, empty without them
     SceneOrigins origins_;
     std::vector<std::unique_ptr<SessionReader>> sessions_;
     std::vector<Rerun> reruns_;

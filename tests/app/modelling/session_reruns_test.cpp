@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "tests/support/temporary_directory.h"
@@ -78,6 +79,25 @@ TEST(SessionReruns, theSessionOfTwoTracksIsReproduced)
     EXPECT_EQ(reruns.all()[1].row.readings[0].side, ProbeSide::Left);
     EXPECT_EQ(reruns.errors().now.size(), 44U) << "the truth of both sides is known";
     EXPECT_EQ(reruns.laterProbes(*reruns.sessions()[0]).now.entries().size(), 1U);
+}
+
+TEST(SessionReruns, onlyTrailNeedsTheNetworks)
+{
+    const TemporaryDirectory folder;
+    const std::string model = folder.file("default.ttm");
+    std::filesystem::copy_file(TERRATACT_SOURCE_DIR "/resources/models/default.ttm", model);
+    std::ofstream(folder.file("default.ttn")) << "no networks";
+    const auto rerunBy = [&](Method method) {
+        SessionReruns reruns(
+            {.estimate = 1, .shippedModels = {}, .model = model, .changes = {.method = method}},
+            {});
+        return reruns.add(TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts");
+    };
+    const Status local = rerunBy(Method::Local);
+    EXPECT_TRUE(local) << local.error().text;
+    const Status trail = rerunBy(Method::Trail);
+    ASSERT_FALSE(trail);
+    EXPECT_NE(trail.error().text.find("default.ttn"), std::string::npos) << trail.error().text;
 }
 
 TEST(SessionReruns, failsOnlyIfNothingExplainsADifference)
