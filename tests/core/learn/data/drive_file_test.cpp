@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/learn/data/two_track_scene.h"
@@ -149,6 +150,27 @@ TEST_F(DriveFileTest, scenesFileHasNoKind)
         {TwoTrackScene{.run = "1", .time = 0.0, .s = someReadings(), .truth = {}}});
     EXPECT_EQ(scenes.find("kind"), std::string::npos);
     EXPECT_TRUE(refused(read(scenes), dir.file("drives.csv"), {"the column kind is missing"}));
+}
+
+TEST(DriveFile, plausibleLinesAreWithinTheirColumns)
+{
+    const DriveLines tracks = trackDrive("1"), plane = planeDrive("1");
+    for (const DriveLine& line : tracks.lines) EXPECT_TRUE(isPlausible(tracks, line));
+    for (const DriveLine& line : plane.lines) EXPECT_TRUE(isPlausible(plane, line));
+    const auto isRefused = [](const DriveLines& drive, const auto& change) {
+        DriveLine line = drive.lines[1];
+        change(line);
+        return !isPlausible(drive, line);
+    };
+    EXPECT_TRUE(isRefused(tracks, [](DriveLine& l) { l.line.pitch = 4.0; }));
+    EXPECT_TRUE(isRefused(tracks, [](DriveLine& l) { l.line.roll = -4.0; }));
+    EXPECT_TRUE(isRefused(tracks, [](DriveLine& l) { l.line.sides.left[0] = -1000.0; }));
+    EXPECT_TRUE(isRefused(tracks, [](DriveLine& l) { l.line.travelled = std::nan(""); }));
+    EXPECT_TRUE(isRefused(tracks, [](DriveLine& l) { l.truth[1][10] = 100.0; }));
+    EXPECT_TRUE(isRefused(plane, [](DriveLine& l) { l.truth[0][0] = l.truth[1][0] = 100.0; }));
+    EXPECT_FALSE(isRefused(plane, [](DriveLine& l) {
+        l.truth[0][0] = l.truth[1][0] = std::nullopt;
+    })) << "not known";
 }
 
 TEST_F(DriveFileTest, refusesToWriteWhatItWouldNotRead)
