@@ -21,6 +21,7 @@ constexpr auto kThemeNameNames = namesOf<ThemeName>("day", "night-red", "high-co
 constexpr auto kLayoutNames = namesOf<Layout>("drive", "probe", "review");
 
 constexpr qint64 kLargestFile = 1 << 20;  // [bytes]
+constexpr int kTrailSchema = 2;           // the first whose default is Trail
 const QString kSchemaKey = QStringLiteral("schema");
 
 void readValues(const QSettings& file, LoadedPreferences& loaded)
@@ -36,6 +37,17 @@ void readValues(const QSettings& file, LoadedPreferences& loaded)
             TR_NOOP("Preferences", "Preferences: “%1” is no valid %2, its default is used"),
             verbatim(found.toString().left(40).simplified()), value.key);
     }
+}
+
+/// Replaces Local, the default of older files, which hold every value: chosen or not. Where the way is not known,
+/// Trail estimates as Local.
+void chooseTrail(LoadedPreferences& loaded)
+{
+    if (loaded.preferences.method != Method::Local) return;
+    loaded.preferences.method = Preferences{}.method;
+    loaded.troubles.emplace_back(
+        TR_NOOP("Preferences", "Preferences: method is now %1, the default; before, it was %2"),
+        name(loaded.preferences.method), name(Method::Local));
 }
 
 /// Moves the file aside and reports it. If that fails, nothing may be saved.
@@ -143,6 +155,7 @@ LoadedPreferences loadPreferences(const QString& path)
             verbatim(path));
     } else {
         readValues(file, loaded);
+        if (schema < kTrailSchema) chooseTrail(loaded);
     }
     return loaded;
 }

@@ -75,7 +75,7 @@ inline constexpr int kMaxEstimateSeconds = 25;  ///< [s] below the 30 s timeout 
 inline constexpr int kMaxDays = 10'000, kMaxGigabytes = 100'000;
 inline constexpr qsizetype kMaxDbcFiles = 32;
 inline constexpr qsizetype kMaxPlotSets = 32;
-inline constexpr int kPreferencesSchema = 1;
+inline constexpr int kPreferencesSchema = 2;
 
 /// Returns the methods that an operator can choose. PAFAc is not among them: PAFc becomes it once the arm has measured.
 std::vector<Method> offeredMethods();
@@ -93,7 +93,8 @@ struct LoadedPreferences {
 };
 
 /// Reads a preferences file; never fails. An invalid value becomes its default. An unreadable file is moved to
-/// PATH.bad. A file with a newer schema is not touched. Each case adds a sentence to `troubles`. An empty path (safe
+/// PATH.bad. A file with a newer schema is not touched. A file of schema 1 holds the method local whether it was
+/// chosen or not: it becomes the default. Each case adds a sentence to `troubles`. An empty path (safe
 /// mode) gives the defaults without a path to save to.
 LoadedPreferences loadPreferences(const QString& path);
 

@@ -1128,6 +1128,10 @@
         <source>a setting of this version</source>
         <translation>nastavení této verze</translation>
     </message>
+    <message>
+        <source>Preferences: method is now %1, the default; before, it was %2</source>
+        <translation>Nastavení: metoda je nyní %1, výchozí; předtím byla %2</translation>
+    </message>
 </context>
 <context>
     <name>PresetWords</name>

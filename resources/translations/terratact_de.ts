@@ -1128,6 +1128,10 @@
         <source>a setting of this version</source>
         <translation>eine Einstellung dieser Version</translation>
     </message>
+    <message>
+        <source>Preferences: method is now %1, the default; before, it was %2</source>
+        <translation>Einstellungen: Die Methode ist nun %1, der Standard; vorher war es %2</translation>
+    </message>
 </context>
 <context>
     <name>PresetWords</name>

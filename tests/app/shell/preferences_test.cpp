@@ -240,13 +240,34 @@ TEST_F(PreferencesFile, anEmptyFileIsNoSchemaEither)
 
 TEST_F(PreferencesFile, aNewerSchemaIsLeftAlone)
 {
-    const std::string newer = "[General]\nschema=2\ntheme=night-red\n";
+    const std::string newer = "[General]\nschema=3\ntheme=night-red\n";
     const LoadedPreferences loaded = loadText(newer);
     EXPECT_TRUE(loaded.preferences == kDefaults);
     ASSERT_EQ(loaded.troubles.size(), 1U);
     EXPECT_TRUE(mentions(loaded.troubles.front(), "newer"));
     EXPECT_FALSE(savePreferences(loaded.path, unlikeTheDefaults()));
     EXPECT_EQ(contentOf(path().toStdString()), newer);
+}
+
+TEST_F(PreferencesFile, theOldDefaultMethodBecomesTheNewOne)
+{
+    const LoadedPreferences old = loadText("[General]\nschema=1\nmethod=local\n");
+    EXPECT_EQ(old.preferences.method, Method::Trail);
+    ASSERT_EQ(old.troubles.size(), 1U);
+    EXPECT_TRUE(mentions(old.troubles.front(), "trail")) << old.troubles.front().english();
+    const QString saved = QString::fromStdString(directory.file("saved.ini"));
+    EXPECT_FALSE(savePreferences(saved, old.preferences));
+    EXPECT_TRUE(loadPreferences(saved).troubles.empty()) << "said once";
+    const auto loadedFrom = [&](const std::string& name, const std::string& lines) {
+        // a new file each time, because QSettings caches what it has read
+        return loadPreferences(
+            QString::fromStdString(directory.write(name, "[General]\n" + lines)));
+    };
+    EXPECT_EQ(loadedFrom("joint.ini", "schema=1\nmethod=joint\n").preferences.method, Method::Joint)
+        << "it was chosen";
+    const LoadedPreferences chosen = loadedFrom("local.ini", "schema=2\nmethod=local\n");
+    EXPECT_EQ(chosen.preferences.method, Method::Local);
+    EXPECT_TRUE(chosen.troubles.empty());
 }
 
 TEST_F(PreferencesFile, aFolderOrAPipeInItsPlaceIsReported)
