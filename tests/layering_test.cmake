@@ -33,7 +33,7 @@ set(qt_core_only "^app/(display|mission)/")
 set(qt_core "^<Q(CoreApplication|DateTime|ElapsedTimer|FileInfo|List|Object|RegularExpression|String|StringList|Thread|tGlobal)>")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(base/(message|result|system_message|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
-set(widgets_core "^core/(limits|base/(message|text)|robot/(attitude|command|force_drift|force_sensor|measurement|probe_side)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|two_track_estimate|variant)|infer/verdict/(bimodality|obstacle|two_track_verdict|verdict)|strip/(felt_by|height_band|strip|strip_section)|wire/frame_trouble|series/[a-z_]+|atem/[a-z_]+)\\.h$")
+set(widgets_core "^core/(limits|base/(degree|message|text)|robot/(attitude|command|force_drift|force_sensor|measurement|probe_side)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|two_track_estimate|variant)|infer/verdict/(bimodality|obstacle|two_track_verdict|verdict)|strip/(felt_by|height_band|strip|strip_section)|wire/frame_trouble|series/[a-z_]+|atem/[a-z_]+)\\.h$")
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")

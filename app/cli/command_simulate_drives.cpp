@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "app/cli/commands.h"
 #include "app/modelling/simulated_drives.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
+#include "core/base/degree.h"
 
 namespace terratact {
 namespace {
@@ -21,7 +20,7 @@ SimulatedDrives wantedDrives(const SimulateOptions& options)
                            .way = options.way,
                            .softDrives = options.softDrives,
                            .exactTruth = options.exactTruth};
-    drives.way.pitchBias = options.pitchBiasDegrees * std::numbers::pi / 180.0;
+    drives.way.pitchBias = options.pitchBiasDegrees * kDegree;
     return drives;
 }
 

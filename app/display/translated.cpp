@@ -3,12 +3,12 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "app/display/format.h"
 #include "app/display/units.h"
+#include "core/base/degree.h"
 
 namespace terratact {
 namespace {
@@ -41,8 +41,7 @@ std::vector<Conversion> conversions()
 {
     std::vector<Conversion> all;
     if (units().length == LengthUnit::Centimetre) all.push_back({" m", " cm", 100.0, 2});
-    if (units().angle == AngleUnit::Radian)
-        all.push_back({"°", " rad", std::numbers::pi / 180.0, -2});
+    if (units().angle == AngleUnit::Radian) all.push_back({"°", " rad", kDegree, -2});
     return all;
 }
 

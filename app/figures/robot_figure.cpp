@@ -9,6 +9,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
+#include "core/base/degree.h"
 #include "core/robot/attitude.h"
 #include "core/robot/kinematics.h"
 #include "core/terrain/bins.h"
@@ -216,7 +217,6 @@ private:
     void drawNumbers()
     {
         const TipOver tips = tipOver(r_, 0.0, 0.0);
-        constexpr double kDegree = 180.0 / 3.14159265358979323846;
         const std::array lines{
             fmt::format("track {:.3f} m long, flippers {:.3f} m front, {:.3f} m rear from pivot to "
                         "tip; robot {:.1f} kg",
@@ -225,7 +225,7 @@ private:
                         r_.rear.axleDistance + r_.rear.tipRadius, r_.totalMass()),
             fmt::format("tips over at {:.0f}° nose up, {:.0f}° nose down, {:.0f}° sideways, with "
                         "flippers flat; {:.3g} N m per A, at most {:.3g} N m",
-                        tips.noseUp * kDegree, tips.noseDown * kDegree, tips.side * kDegree,
+                        tips.noseUp / kDegree, tips.noseDown / kDegree, tips.side / kDegree,
                         r_.torquePerAmpere, r_.maxFlipperTorque)};
         for (std::size_t i = 0; i < lines.size(); ++i)
             label({20.0, kRobotHeight - 36.0 + 18.0 * static_cast<double>(i)}, lines.at(i),

@@ -4,11 +4,11 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "core/base/degree.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
@@ -208,8 +208,8 @@ void ScenesPage::resizeToFont()
     fit(SceneRows::Number, QStringLiteral("100000"));
     fit(SceneRows::Drive, QStringLiteral("a drive 1000"));
     fit(SceneRows::Time, QStringLiteral("10000.00"));
-    fit(SceneRows::Pitch, format::angle(10.0 * std::numbers::pi / 180.0));
-    fit(SceneRows::Roll, format::angle(10.0 * std::numbers::pi / 180.0));
+    fit(SceneRows::Pitch, format::angle(10.0 * kDegree));
+    fit(SceneRows::Roll, format::angle(10.0 * kDegree));
     fit(SceneRows::Truth, SceneRows::tr("%1 bins").arg(22));
     fit(SceneRows::Median, QStringLiteral("1000 mm"));
     fit(SceneRows::Mean, QStringLiteral("1000 mm"));

@@ -2,7 +2,6 @@
 
 #include <QByteArray>
 #include <QString>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/display/units.h"
 #include "app/link/pad_mapping.h"
 #include "core/atem/probe_policy.h"
+#include "core/base/degree.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/quality_preset.h"
@@ -59,7 +59,6 @@ struct Preferences {
 struct PreferenceRange {
     double least, most;
 };
-inline constexpr double kDegree = std::numbers::pi / 180.0;
 inline constexpr double kPercent = 0.01;
 inline constexpr PreferenceRange kObstacleRange{0.02, 0.60};                      ///< [m]
 inline constexpr PreferenceRange kForceRange{0.1, 50.0};                          ///< [N]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/degree.h"
 #include "core/base/text.h"
 #include "core/clouds/cloud_fields.h"
 #include "core/mapping/rotation.h"
@@ -39,7 +40,6 @@ std::optional<CloudPose> mountFrom(std::string_view text)
         if (!value || !(std::abs(*value) < 1e4)) return std::nullopt;
         values.at(i) = *value;
     }
-    constexpr double kDegree = 3.14159265358979323846 / 180.0;
     const Rotation r =
         rotationOfAngles(values[3] * kDegree, values[4] * kDegree, values[5] * kDegree);
     Eigen::Matrix3d matrix;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <span>
 
+#include "core/base/degree.h"
 #include "core/base/text.h"
 #include "core/robot/toml_section.h"
 #include "core/store/file_read.h"
@@ -17,7 +17,6 @@ constexpr auto kQuantityNames = namesOf<Quantity>(
     "front_right_current", "rear_left_current", "rear_right_current", "travelled", "speed",
     "turned", "differential", "activity", "refusal");
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr TomlRange kScaleRange{-1e9, 1e9}, kDelayRange{-3600.0, 3600.0}, kOffsetRange{-1e9, 1e9};
 
 /// Unit of a field, and its factor to SI.

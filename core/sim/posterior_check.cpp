@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "core/base/degree.h"
 #include "core/infer/estimate/contradiction.h"
 #include "core/sim/rest/rest_pose.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kOneDegree = std::numbers::pi / 180.0;
 
 TerrainProfile groundAtBins(const Heights& heights)
 {
@@ -83,7 +81,7 @@ void writePosteriorCheck(TerrainEstimate& estimate, const Proprioception& s,
     estimate.contradicts = !check.agrees;
     if (check.agrees) return;
     const auto degrees = [](double angle) {
-        return signedFixed(std::round(angle / kOneDegree) + 0.0, 0);
+        return signedFixed(std::round(angle / kDegree) + 0.0, 0);
     };
     estimate.warnings.emplace_back(
         TR_NOOP("core", "the estimate contradicts the readings: pitch %1° measured, %2° on its "

@@ -7,10 +7,11 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/degree.h"
+
 namespace terratact {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDelay = 0.5;        // [s]
 constexpr double kMaxDelay = 10.0;    // [s]
 constexpr double kMinute = 60.0;      // [s]

@@ -2,10 +2,10 @@
 
 #include <QEvent>
 #include <QStringList>
-#include <numbers>
 
 #include "app/display/drive_text.h"
 #include "app/display/format.h"
+#include "core/base/degree.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {
@@ -74,7 +74,7 @@ DriveCell::Widest widestOf(DriveStrip::Cell cell)
     case DriveStrip::Roll:
         return {levels(DriveText::level),
                 levels(markOf),
-                {format::angle(-88.8 * std::numbers::pi / 180.0)},
+                {format::angle(-88.8 * kDegree)},
                 DriveText::limits({1.5, 1.5})};
     case DriveStrip::Contact: {
         const QStringList words{name, DriveStrip::tr("● CONTACT") + QStringLiteral(" 20 N")};
