@@ -101,7 +101,7 @@ endfunction()
 # header. clang-tidy takes its configuration from the folder of a source. For joined sources that is the build tree,
 # where the check against including sources is switched off.
 function(terratact_tidy)
-  find_program(TERRATACT_CLANG_TIDY clang-tidy REQUIRED)
+  find_program(TERRATACT_CLANG_TIDY NAMES clang-tidy-21 clang-tidy-22 clang-tidy-23 clang-tidy REQUIRED)
   set(project ${PROJECT_SOURCE_DIR}/.clang-tidy)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${project})
   file(READ ${project} config)

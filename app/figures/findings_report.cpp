@@ -59,6 +59,7 @@ Classes classesOf(const Findings& findings)
 std::vector<ProbeSummary> probeSummaries(const Findings& findings)
 {
     std::vector<ProbeSummary> summaries;
+    summaries.reserve(findings.probes.size());
     for (const ProbeRun& run : findings.probes)
         summaries.push_back(
             summariseProbes(run.label, run.rule, run.trials, limitsOf(findings.options)));

@@ -214,6 +214,7 @@ private:
                                : part.kind == OutlinePart::Kind::Track ? 0xccd4dc
                                                                        : 0xdde3e9;
             std::vector<Point> points;
+            points.reserve(part.points.size());
             for (const auto& [x, z] : part.points) points.push_back(axes_.at(x, z));
             canvas_.polygon(points, {rgb, 0.75}, {{0x6c7a89}, 1.0, {}});
         }
@@ -234,6 +235,7 @@ private:
     void drawLine(const Heights& heights, const Stroke& stroke)
     {
         std::vector<Point> points;
+        points.reserve(kBins);
         for (std::size_t i = 0; i < kBins; ++i) points.push_back(axes_.at(centre(i), heights[i]));
         canvas_.polyline(points, stroke);
     }

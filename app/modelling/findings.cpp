@@ -21,6 +21,7 @@ std::optional<int> countFrom(std::string_view text)
 std::vector<std::string> labels(const Findings& findings)
 {
     std::vector<std::string> list;
+    list.reserve(findings.runs.size() + findings.probes.size());
     for (const MethodRun& run : findings.runs) list.push_back(run.label);
     for (const ProbeRun& run : findings.probes) list.push_back(run.label + " " + run.rule);
     return list;

@@ -42,6 +42,7 @@ std::vector<double> contactsOf(const RobotModel& robot, const RestPose& rest)
 {
     const double origin = imuPosition(robot, rest.pose).x;
     std::vector<double> contacts;
+    contacts.reserve(rest.contacts.size());
     for (const GroundContact& contact : rest.contacts) contacts.push_back(contact.point.x - origin);
     std::ranges::sort(contacts);
     return contacts;

@@ -86,6 +86,7 @@ std::vector<std::string> numbersOf(const DbcMessage& message, const CanFrame& fr
     std::vector<std::optional<std::uint64_t>> bits(message.payload.size());
     decodeBits(message, frame, bits);
     std::vector<std::string> numbers;
+    numbers.reserve(bits.size());
     for (std::size_t i = 0; i < bits.size(); ++i)
         numbers.push_back(bits[i] ? exactText(message.payload[i], *bits[i]) : std::string());
     return numbers;

@@ -93,14 +93,14 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
 void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMoment& moment,
                                   const Preferences& preferences)
 {
-    const double threshold = this->threshold(moment, preferences);
+    const double force = threshold(moment, preferences);
     if (moment.measurement) {
         viewState.measurement = &*moment.measurement;
         viewState.age = secondsOf(moment.time - moment.measured);
         viewState.attitude = attitudeOf(*moment.measurement, robot_, preferences.tilt());
-        forces_ = ForceArrays(robot_).of(*moment.measurement, moment.forces, threshold);
+        forces_ = ForceArrays(robot_).of(*moment.measurement, moment.forces, force);
         viewState.forces = &forces_;
-        forcesBefore_ = felt_.before(moment.time, threshold);
+        forcesBefore_ = felt_.before(moment.time, force);
         viewState.forcesBefore = &forcesBefore_;
     }
     if (!moment.scene) return;

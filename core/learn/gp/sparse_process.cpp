@@ -36,6 +36,7 @@ std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
 {
     const Eigen::Index count = std::min(rows, wanted);
     std::vector<int> chosen;
+    chosen.reserve(static_cast<std::size_t>(count));
     for (Eigen::Index k = 0; k < count; ++k) chosen.push_back(blasSize(k * rows / count));
     return chosen;
 }

@@ -85,6 +85,7 @@ std::vector<int> inducingRows(const std::vector<int>& rows)
 {
     if (rows.size() <= std::size_t{kInducing}) return rows;
     std::vector<int> chosen;
+    chosen.reserve(std::size_t{kInducing});
     for (std::size_t k = 0; k < std::size_t{kInducing}; ++k)
         chosen.push_back(rows[k * rows.size() / std::size_t{kInducing}]);
     return chosen;

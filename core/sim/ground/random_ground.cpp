@@ -84,6 +84,7 @@ OneSidedFeature randomFeature(std::mt19937_64& rng)
 std::vector<GroundLine> finished(std::vector<TerrainPath> paths, const std::vector<double>& ys)
 {
     std::vector<GroundLine> lines;
+    lines.reserve(ys.size());
     for (std::size_t i = 0; i < ys.size(); ++i)
         lines.push_back({ys[i], std::move(paths[i]).finish(kRandomTerrainLength)});
     return lines;
