@@ -10,7 +10,10 @@ import tempfile
 import unittest
 import unittest.mock
 
-from support import CLI, SOURCE, complaint, rows, run
+from support import CLI, SOURCE, complaint, needs_no_sanitizer, rows, run
+
+# Of a training or a campaign: six times as long with a sanitizer.
+IN_CORE = "the tests of core compute the same in less"
 
 COLUMNS = "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict".split(",")
 
@@ -59,8 +62,7 @@ class Commands(unittest.TestCase):
         return done.returncode, done.stderr
 
     def test_commands_without_algebra_need_little_memory(self):
-        if self.limited(1000, "--version")[0] != 0:
-            self.skipTest("a sanitizer needs the address space")
+        needs_no_sanitizer(self)
         demo = f"{SOURCE}/resources/sessions/demo.tts"
         # Later versions of OpenBLAS than 0.3.21 need 128 MB before the program starts.
         openblas = r"terratact: OpenBLAS needs \d+ MB of memory; this process uses .* Raise the limit"
@@ -71,8 +73,7 @@ class Commands(unittest.TestCase):
                 self.assertEqual(self.limited(megabytes, *arguments), (0, ""), arguments)
 
     def test_a_command_without_memory_names_the_shortage(self):
-        if self.limited(1000, "--version")[0] != 0:
-            self.skipTest("a sanitizer needs the address space")
+        needs_no_sanitizer(self)
         model, codes = self.path / "limited.ttm", []
         for megabytes in (100, 150, 200, 300, 400, 600):
             code, said = self.limited(megabytes, "train", "--data", self.data, "--out", model)
@@ -178,6 +179,7 @@ class Commands(unittest.TestCase):
         complaint("simulate", "--terrain", "varied", "--gap", 2, "--out", out, code=2)
 
     def test_networks_learn_from_drives_and_are_evaluated(self):
+        needs_no_sanitizer(self, IN_CORE)
         drives, tracks, networks = (self.path / name for name in ("way.csv", "tracks.csv", "small.ttn"))
         simulate = ("simulate", "--terrain", "varied", "--drives", 22, "--spacing", 0.1, "--exact-truth", "--seed", 4)
         run(*simulate, "--out", drives)
@@ -198,6 +200,7 @@ class Commands(unittest.TestCase):
         complaint("evaluate", "--data", self.data, code=2)
 
     def test_faults_prints_which_faults_are_noticed(self):
+        needs_no_sanitizer(self, IN_CORE)
         text = run("faults", "--model", self.model, "--drives", 1)
         rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}
         self.assertEqual(float(rows_["none"][2]), 0.0, "no scene of a sound robot is suspect")
@@ -342,6 +345,7 @@ class Commands(unittest.TestCase):
         self.assertEqual({row["scenes"] for row in table}, {"4"})
 
     def test_two_tracks_are_learnt_and_evaluated(self):
+        needs_no_sanitizer(self, IN_CORE)
         scenes, model, out = self.path / "two.csv", self.path / "two.ttm", self.path / "two"
         run("simulate", "--terrain", "varied", "--tracks", "--count", 160, "--seed", 3, "--out", scenes)
         said = run("train", "--data", self.data, "--tracks", scenes, "--out", model, "--seed", 3, "--inducing", 40)

@@ -27,12 +27,12 @@ def complaint(*arguments, code=1):
     return done.stderr
 
 
-def needs_no_sanitizer(test):
-    """Skips a test of little memory if the program was built with a sanitizer."""
+def needs_no_sanitizer(test, why="a sanitizer needs the address space"):
+    """Skips a test of little memory, or of a long computation, if the program was built with a sanitizer."""
     done = subprocess.run(["bash", "-c", 'ulimit -v 1000000; exec "$@"', "-", CLI, "--version"], capture_output=True,
                           timeout=300, check=False)
     if done.returncode != 0:
-        test.skipTest("a sanitizer needs the address space")
+        test.skipTest(why)
 
 
 class Folder(unittest.TestCase):
