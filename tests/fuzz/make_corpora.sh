@@ -6,7 +6,7 @@ terratact=$(realpath "$1")
 cd "$(dirname "$0")/../.."
 corpora=tests/fuzz/corpora
 rm -rf "$corpora"
-mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message,cloud_file}
+mkdir -p "$corpora"/{scene_file,drive_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message,cloud_file}
 
 scenes=$(mktemp)
 trap 'rm -f "$scenes"' EXIT
@@ -18,6 +18,11 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "colour" } NR > 1 { $6 = ""; $9 = ""; prin
 tr , ';' <"$corpora/scene_file/scenes.csv" | sed '2,$ s/\./,/g' >"$corpora/scene_file/semicolons.csv"
 sed -e 's/[^,]*/"&"/g' -e '1a "","s","rad","rad","rad","A","A","N","N","N","N","N","N"'"$(printf ',"m"%.0s' {1..11})" \
   "$corpora/scene_file/scenes.csv" >"$corpora/scene_file/quoted_with_units.csv"
+
+for lines in '' --tracks; do
+  "$terratact" simulate --terrain varied --drives 1 --seed 1 $lines --out "$scenes" >/dev/null
+  head -n 9 "$scenes" >"$corpora/drive_file/drive$lines.csv"
+done
 
 # The first byte selects the reader (csv_files.cpp).
 printf 'px_m,z_m\n0,0\n0.5,0\n0.5,0.12\n1.5,0.2\n' >"$corpora/csv_files/points.csv"
