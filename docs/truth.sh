@@ -65,6 +65,31 @@ The first command stands in for a robot's drive and its laser map, which lies 4 
 
 Look at `sheet.png` before you train: it shows the cloud's slice, the robot and the bins of up to 40 scenes.
 
+## Decide scene by scene
+
+The paper sampled its truth by hand. `--review` writes a truth file for the console, which shows the slice of each scene's cloud, the robot and
+the bins with one and two sd:
+
+    $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out truth.csv --align --review drive.truth
+    …
+    40 scenes with … known heights written to truth.csv
+
+`terratact-console drive.truth`, or *Open* in any window, opens it. Keys: A accepts a scene, X excludes it, and the next open scene appears.
+U and D move the heights up and down by 5 mm; F and G tilt the ground ahead up and down by 0.005 rad; 0 takes the nudge away. Ctrl+Z undoes.
+The decisions are saved by themselves in `drive.truth.decisions.csv`. The truth file is never changed. Ctrl+E writes the scenes with the decisions
+under a new name. A place along the way cannot be nudged, because every bin changes with it: correct the poses.
+
+The same decisions act on the command line. A run beside the row guards against decisions on other scenes. Scenes without a decision are accepted:
+
+    $ printf 'row,run,decision,offset_m,tilt_rad\n3,,exclude,,\n5,,accept,-0.01,0.005\n' >decisions.csv
+    $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out decided.csv --align --decisions decisions.csv --sheet decided.png
+    … points of 1 clouds; 39 of 40 scenes have heights, 1 are excluded by decision
+    …
+    40 scenes with … known heights written to decided.csv
+
+An excluded scene keeps its row without heights. An offset is at most 0.2 m, a tilt 0.17 rad. The errors against heights that the scenes held
+are those before the decisions.
+
 ## How it works
 
 - **Cells.** Under each scene, points fall into cells of 2 cm along four lines: the left and right track and flippers of the

@@ -63,6 +63,10 @@ void addTruth(CLI::App& app, Job& job)
     addTextOutput(*c, "--out", o->out, "Scenes CSV with heights to write")->required();
     addTextOutput(*c, "--support", o->support, "CSV to write: sd, points and cells of each bin");
     addFileOutput(*c, "--sheet", o->sheet, "Picture of the scenes to write: PNG, SVG or PDF");
+    addFileOutput(*c, "--review", o->review,
+                  "Truth file to write, for terratact-console: accept, exclude, nudge scenes");
+    addInput(*c, "--decisions", o->decisions,
+             "CSV of decisions on scenes, as terratact-console writes it");
     addTruthMounts(*c, o->find);
     addTruthRules(*c, o->find);
     c->callback([o, &job] {

@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/figures/truth_figure.h"
 #include "app/modelling/laser_truth_report.h"
+#include "app/modelling/truth_decisions.h"
+#include "app/modelling/truth_file.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/store/file_read.h"
@@ -9,8 +11,17 @@ namespace terratact {
 
 Status findTruth(const TruthOptions& options)
 {
-    const auto truth = laserTruth(options.find);
+    auto truth = laserTruth(options.find);
     if (!truth) return truth.error();
+    if (!options.review.empty())  // before the decisions, which are made on it
+        if (Status done = writeTruthFile(options.review, *truth, options.find.robot); !done)
+            return done;
+    if (!options.decisions.empty()) {
+        const auto decisions = readTruthDecisions(options.decisions);
+        if (!decisions) return decisions.error();
+        if (Status done = applyTruthDecisions(*truth, *decisions, options.decisions); !done)
+            return done;
+    }
     for (const std::string& remark : truth->remarks) printText(stderr, "terratact: {}\n", remark);
     std::FILE* const messages = messagesBeside(options.out);
     printText(messages, "{}", Lines(truthReport(*truth, options.find)));

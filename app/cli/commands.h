@@ -47,9 +47,11 @@ Status recordDrives(const SimulateOptions& options);
 
 struct TruthOptions {
     LaserTruthOptions find{};
-    std::string out;      ///< scenes CSV with heights
-    std::string support;  ///< CSV of sd and points of each bin; empty: none
-    std::string sheet;    ///< picture of the scenes; empty: none
+    std::string out;        ///< scenes CSV with heights
+    std::string support;    ///< CSV of sd and points of each bin; empty: none
+    std::string sheet;      ///< picture of the scenes; empty: none
+    std::string review;     ///< truth file for the console; empty: none
+    std::string decisions;  ///< CSV of a person's decisions; empty: none
 };
 /// Finds the heights of scenes in point clouds (docs/truth.md).
 Status findTruth(const TruthOptions& options);

@@ -8,6 +8,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
+#include "app/modelling/truth_slice.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {
@@ -15,9 +16,7 @@ namespace {
 
 constexpr double kTileWidth = 430.0, kTileHeight = 330.0, kSheetHead = 84.0;
 constexpr std::size_t kTileColumns = 4;
-constexpr double kTileScale = 240.0;                 // [px/m]
-constexpr double kTileLeft = -0.82, kTileTop = 0.4;  // [m] DEM frame
-constexpr double kTileRight = 0.9, kTileBottom = -0.8;
+constexpr double kTileScale = 240.0;  // [px/m]
 constexpr Colour kLeftSlice{0x1558a6}, kRightSlice{0xb06400}, kBothSides{0x12804a},
     kGapText{0xa32020};
 
@@ -34,6 +33,7 @@ const char* gapText(TruthGap gap)
     case TruthGap::NoPose: return "no pose";
     case TruthGap::OffCloud: return "left out: the robot lies off the cloud";
     case TruthGap::NoCloud: return "no bin is known well enough";
+    case TruthGap::Excluded: return "excluded by decision";
     }
     return "";
 }
@@ -50,7 +50,7 @@ public:
     {
         drawGrid();
         drawRobot();
-        for (std::size_t i = 0; i < kTruthLines; ++i) drawSlice(static_cast<TruthLine>(i));
+        drawSlice();
         if (truth_.isPlane) {
             drawBins(scene_.plane, kBothSides, 0.0);
         } else {
@@ -63,23 +63,23 @@ public:
 private:
     static Point at(double x, double z)
     {
-        return {(x - kTileLeft) * kTileScale, 26.0 + (kTileTop - z) * kTileScale};
+        return {(x - kSliceRear) * kTileScale, 26.0 + (kSliceTop - z) * kTileScale};
     }
-    static bool isInside(double z) { return z < kTileTop && z > kTileBottom; }
+    static bool isInside(double z) { return z < kSliceTop && z > kSliceBottom; }
 
     void drawGrid()
     {
         const TextStyle small{.colour = kFigureMuted, .size = 10.0};
         for (int tenth = -8; tenth <= 8; tenth += 2) {
             const double x = 0.1 * tenth;
-            canvas_.line(at(x, kTileTop), at(x, kTileBottom), {kFigureGrid, 1.0, {}});
-            const Point foot = at(x, kTileBottom);
+            canvas_.line(at(x, kSliceTop), at(x, kSliceBottom), {kFigureGrid, 1.0, {}});
+            const Point foot = at(x, kSliceBottom);
             canvas_.text({foot.x - 8.0, foot.y + 11.0}, signedNumber(x, 1), small);
         }
         for (int tenth = -8; tenth <= 2; tenth += 2) {
             const double z = 0.1 * tenth;
-            canvas_.line(at(kTileLeft, z), at(kTileRight, z), {kFigureGrid, 1.0, {}});
-            canvas_.text({2.0, at(kTileLeft, z).y - 2.0}, signedNumber(z, 1), small);
+            canvas_.line(at(kSliceRear, z), at(kSliceFront, z), {kFigureGrid, 1.0, {}});
+            canvas_.text({2.0, at(kSliceRear, z).y - 2.0}, signedNumber(z, 1), small);
         }
     }
 
@@ -95,22 +95,12 @@ private:
         }
     }
 
-    void drawSlice(TruthLine line)
+    void drawSlice()
     {
-        const SceneGrid& grid = *truth_.grid;
-        const Colour colour{lineColour(line).rgb, 0.35};
-        const double y = lineY(truth_.robot, line, grid.places()[scene_.place].s.roll);
-        for (std::size_t k = 0; k < grid.cells(); ++k) {
-            const double x = grid.cellX(k);
-            if (isUnderFlippers(line) != (x > 0.25) || x < kTileLeft || x > kTileRight) continue;
-            const CloudCorrection& c = scene_.correction;
-            std::size_t drawn = 0;
-            for (const float h : grid.heights(scene_.place, line, k)) {
-                const double z = static_cast<double>(h) + c.offset + c.tiltX * x + c.tiltY * y;
-                if (!isInside(z) || ++drawn > 12) continue;
-                const Point p = at(x + 0.0015 * (static_cast<double>(drawn) - 6.0), z);
-                canvas_.fillRectangle({p.x - 0.8, p.y - 0.8}, {p.x + 0.8, p.y + 0.8}, colour);
-            }
+        for (const SlicePoint& point : truthSlice(truth_, row_)) {
+            const Point p = at(point.x, point.z);
+            canvas_.fillRectangle({p.x - 0.8, p.y - 0.8}, {p.x + 0.8, p.y + 0.8},
+                                  {lineColour(point.line).rgb, 0.35});
         }
     }
 

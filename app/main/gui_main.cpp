@@ -6,6 +6,7 @@
 
 #include "app/console/open_console.h"
 #include "app/imports/open_import.h"
+#include "app/imports/open_truth.h"
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/parse_arguments.h"
@@ -33,6 +34,7 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
     const FileKind kind = kindOfFile(QString::fromStdString(options.replay));
     if (kind == FileKind::Session) return openReview(application, options);
     if (kind == FileKind::Scenes) return openScenes(application, options);
+    if (kind == FileKind::Truth) return openTruth(application, options);
     if (kind == FileKind::Recording && !options.isPicture())
         return openImport(application, options);
     if (options.isPicture())

@@ -40,6 +40,7 @@ enum class TruthGap : std::uint8_t {
     NoPose,    ///< no poses around its time
     OffCloud,  ///< the robot lies far above or below the cloud there: a pose that jumps
     NoCloud,   ///< no bin is known well enough
+    Excluded,  ///< a person left it out (truth_decisions.h)
 };
 
 /// Heights of one scene, and what they rest on.

@@ -75,6 +75,7 @@ std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& option
     reason(TruthGap::NoPose, "have no poses around their time");
     reason(TruthGap::OffCloud, "lie off the cloud");
     reason(TruthGap::NoCloud, "have no bin that is known well enough");
+    reason(TruthGap::Excluded, "are excluded by decision");
     text += '\n';
     if (truth.alignment)
         text += alignmentLines(*truth.alignment, options.align);

@@ -1,50 +1,19 @@
 #include "app/review/open_recorded.h"
 
-#include <QTimer>
-#include <functional>
 #include <memory>
 #include <utility>
 
 #include "app/recording/what_if.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
-#include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
-#include "app/shell/dropped_files.h"
-#include "app/shell/open_file.h"
-#include "app/shell/window_picture.h"
 #include "app/start/console_setup.h"
+#include "app/start/until_closed.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
-
-constexpr int kReadyPeriod = 200;  // [ms] polling period until a window is ready for its picture
-
-Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
-                        const std::function<bool()>& isReady)
-{
-    openDroppedFiles(window, [](const QString& path) {
-        openInAnotherWindow(path, {}, [](const QString& why) {
-            printText(stderr, "terratact-console: {}\n", why.toStdString());
-        });
-    });
-    showWindow(window, options);
-    if (!options.isPicture()) return QApplication::exec();
-    Status saved = Done{};
-    QTimer look;
-    QObject::connect(&look, &QTimer::timeout, &window, [&] {
-        if (!isReady()) return;
-        look.stop();
-        saved = saveWindow(window, options.screenshot);
-        QApplication::exit();
-    });
-    look.start(kReadyPeriod);
-    const int code = QApplication::exec();
-    if (!saved) return saved.error();
-    return code;
-}
 
 /// Returns the candidate files for a session's model: the preferred one and the shipped ones.
 QStringList modelsFor(const ConsoleOptions& options, LoadedPreferences& loaded)

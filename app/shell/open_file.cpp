@@ -8,6 +8,7 @@
 #include <QtEndian>
 #include <utility>
 
+#include "app/modelling/truth_file.h"
 #include "app/runtime/resources.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/remote_stop.h"
@@ -33,10 +34,11 @@ FileKind kindOfFile(const QString& path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return FileKind::Log;
     const QByteArray head = file.read(kHead);
-    if (head.startsWith("SQLite format 3") && head.size() >= kApplicationId + 4
-        && qFromBigEndian<quint32>(head.constData() + kApplicationId)
-               == static_cast<quint32>(kSessionApplicationId))
-        return FileKind::Session;
+    if (head.startsWith("SQLite format 3") && head.size() >= kApplicationId + 4) {
+        const auto id = qFromBigEndian<quint32>(head.constData() + kApplicationId);
+        if (id == static_cast<quint32>(kSessionApplicationId)) return FileKind::Session;
+        if (id == static_cast<quint32>(kTruthApplicationId)) return FileKind::Truth;
+    }
     for (const char* const magic : {"\x89MCAP", "#ROSBAG", "SQLite format 3"})
         if (head.startsWith(magic)) return FileKind::Recording;
     // Scenes have a header, possibly below comments, in any dialect of core/store/csv_reader.h. No log contains these
@@ -65,9 +67,10 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
 void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                                std::function<void(const QString& why)> failed)
 {
-    const QString filter = OpenFile::tr("Sessions, logs, scenes and recordings of other programs "
-                                        "(*.tts *.log *.asc *.trc *.csv *.gz "
-                                        "*.mcap *.bag *.db3);;All files (*)");
+    const QString filter =
+        OpenFile::tr("Sessions, logs, scenes, truth files and recordings of other programs "
+                     "(*.tts *.log *.asc *.trc *.csv *.gz *.truth "
+                     "*.mcap *.bag *.db3);;All files (*)");
     const QString start = QFileInfo(folder).isDir() ? folder : QString();
     askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
                [stopLine, failed = std::move(failed)](const QString& path) {

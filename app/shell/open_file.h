@@ -14,6 +14,7 @@ namespace terratact {
 enum class FileKind : std::uint8_t {
     Session,    ///< a recorded session
     Scenes,     ///< scenes as CSV
+    Truth,      ///< heights of scenes from laser maps
     Recording,  ///< of another program: MCAP, a bag of ROS, CSV with times
     Log         ///< anything else; the log reader decides
 };

@@ -64,6 +64,8 @@ _terratact_value() {
     simulate:--out | reconstruct:--out | simulate:--poses | truth:--out | *:--support | truth:--scenes) _terratact_files csv ;;
     truth:--poses) _terratact_files tum txt csv mcap bag db3 ;;
     truth:--session) _terratact_files tts ;;
+    truth:--decisions) _terratact_files csv ;;
+    truth:--review) _terratact_files truth ;;
     *:--cloud) _terratact_files pcd ;;
     *:--recording) _terratact_files mcap ;;
     *:--sheet | *:--picture) _terratact_files png svg pdf ;;
@@ -152,7 +154,7 @@ _terratact_options() {
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;
     import) echo --mapping --robot --out --scenes --probe --check ;;
-    truth) echo --scenes --poses --mapping --topic --robot --scans --session --start --run --out --support --sheet --pose-mount \
+    truth) echo --scenes --poses --mapping --topic --robot --scans --session --start --run --out --support --sheet --review --decisions --pose-mount \
       --sensor-mount --percentile --max-sd --align --max-speed --max-gap ;;
     "") echo --version ;;
   esac

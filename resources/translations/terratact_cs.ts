@@ -248,6 +248,21 @@
     </message>
 </context>
 <context>
+    <name>FileHeader</name>
+    <message>
+        <source>no link: a file</source>
+        <translation>bez spojení: soubor</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>robot: --</translation>
+    </message>
+    <message>
+        <source>model: --</source>
+        <translation>model: --</translation>
+    </message>
+</context>
+<context>
     <name>Format</name>
     <message>
         <source>more than %1</source>
@@ -504,8 +519,8 @@
         <translation>%1 nelze otevřít: program se nepodařilo znovu spustit</translation>
     </message>
     <message>
-        <source>Sessions, logs, scenes and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
-        <translation>Relace, protokoly, scény a záznamy jiných programů (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
+        <source>Sessions, logs, scenes, truth files and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Relace, záznamy sběrnice, scény, soubory skutečnosti a záznamy jiných programů (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5076,74 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
         <translation>%1 scén dvou pásů má neznámé výšky: učí se jejich známé biny</translation>
     </message>
+    <message>
+        <source>%1 is %2, expected %3 to %4</source>
+        <translation>%1 je %2, očekáváno %3 až %4</translation>
+    </message>
+    <message>
+        <source>row is %1, expected the number of a scene, from 1</source>
+        <translation>row je %1, očekáváno číslo scény, od 1</translation>
+    </message>
+    <message>
+        <source>decision is %1, expected accept or exclude</source>
+        <translation>decision je %1, očekáváno accept nebo exclude</translation>
+    </message>
+    <message>
+        <source>is not the header %1</source>
+        <translation>není hlavička %1</translation>
+    </message>
+    <message>
+        <source>row %1 already has a decision above, expected one for each row</source>
+        <translation>řádek %1 už má výše rozhodnutí, očekáváno jedno na řádek</translation>
+    </message>
+    <message>
+        <source>line %1: row %2 does not exist, the scenes have %3 rows; were they made again?</source>
+        <translation>řádek %1: scéna %2 neexistuje, soubor má %3 scén; byl vytvořen znovu?</translation>
+    </message>
+    <message>
+        <source>line %1: row %2 belongs to the run %3, not %4: take the decisions on these scenes</source>
+        <translation>řádek %1: scéna %2 patří k jízdě %3, ne %4: použijte rozhodnutí k těmto scénám</translation>
+    </message>
+    <message>
+        <source>the slice of a scene is damaged: write the file again</source>
+        <translation>řez scény je poškozen: zapište soubor znovu</translation>
+    </message>
+    <message>
+        <source>scene %1 is not one line of a scenes file</source>
+        <translation>scéna %1 není řádek souboru scén</translation>
+    </message>
+    <message>
+        <source>scene %1 is missing: write the file again</source>
+        <translation>scéna %1 chybí: zapište soubor znovu</translation>
+    </message>
+    <message>
+        <source>has more than %1 scenes</source>
+        <translation>má více než %1 scén</translation>
+    </message>
+    <message>
+        <source>scene %1: why it has no heights is unknown</source>
+        <translation>scéna %1: proč nemá výšky, není známo</translation>
+    </message>
+    <message>
+        <source>scene %1: its distance to the cloud is not a number</source>
+        <translation>scéna %1: její vzdálenost od mračna není číslo</translation>
+    </message>
+    <message>
+        <source>would hold %1 scenes; expected at most %2: take fewer scenes, or leave out --review</source>
+        <translation>obsahoval by %1 scén; očekáváno nejvýše %2: vezměte méně scén nebo vynechte --review</translation>
+    </message>
+    <message>
+        <source>is not a truth file: terratact truth --review writes one</source>
+        <translation>není soubor skutečnosti: zapíše ho terratact truth --review</translation>
+    </message>
+    <message>
+        <source>is a truth file of another version: write it again by terratact truth --review</source>
+        <translation>je soubor skutečnosti jiné verze: zapište ho znovu příkazem terratact truth --review</translation>
+    </message>
+    <message>
+        <source>is a damaged truth file: write it again</source>
+        <translation>je poškozený soubor skutečnosti: zapište ho znovu</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7126,18 +7209,6 @@ F1</translation>
     <message>
         <source>IMPORT OF A RECORDING</source>
         <translation>IMPORT ZÁZNAMU</translation>
-    </message>
-    <message>
-        <source>no link: a file</source>
-        <translation>bez spojení: soubor</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>robot: --</translation>
-    </message>
-    <message>
-        <source>model: --</source>
-        <translation>model: --</translation>
     </message>
     <message>
         <source>Import</source>
@@ -11339,6 +11410,342 @@ vpředu</translation>
     <message>
         <source>Idle · done (log-likelihood %1)</source>
         <translation>Nečinné · hotovo (log. věrohodnost %1)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthPage</name>
+    <message>
+        <source>Scenes</source>
+        <translation>Scény</translation>
+    </message>
+    <message>
+        <source>The arrow keys choose a scene; typing a number goes to it</source>
+        <translation>Šipky vybírají scénu; napsané číslo na ni přejde</translation>
+    </message>
+    <message>
+        <source>Slice of the cloud, robot and bins</source>
+        <translation>Řez mračnem, robot a body</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Scéna</translation>
+    </message>
+    <message>
+        <source>left: dots · right: crosses · bins: mean of both sides, ± 1 and 2 sd</source>
+        <translation>vlevo: tečky · vpravo: křížky · body: průměr obou stran, ± 1 a 2 směr. odch.</translation>
+    </message>
+    <message>
+        <source>left: dots, solid · right: crosses, dashed · bins with ± 1 and 2 sd</source>
+        <translation>vlevo: tečky, plně · vpravo: křížky, čárkovaně · body s ± 1 a 2 směr. odch.</translation>
+    </message>
+    <message>
+        <source>both sides</source>
+        <translation>obě strany</translation>
+    </message>
+    <message>
+        <source>left side</source>
+        <translation>levá strana</translation>
+    </message>
+    <message>
+        <source>right side</source>
+        <translation>pravá strana</translation>
+    </message>
+    <message>
+        <source>Shown sides</source>
+        <translation>Zobrazené strany</translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation>&amp;Přijmout</translation>
+    </message>
+    <message>
+        <source>Keep the heights of this scene (A)</source>
+        <translation>Ponechat výšky této scény (A)</translation>
+    </message>
+    <message>
+        <source>E&amp;xclude</source>
+        <translation>&amp;Vyřadit</translation>
+    </message>
+    <message>
+        <source>Leave this scene out (X)</source>
+        <translation>Vynechat tuto scénu (X)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zpět</translation>
+    </message>
+    <message>
+        <source>Take the last decision back (Ctrl+Z)</source>
+        <translation>Vzít zpět poslední rozhodnutí (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Export …</source>
+        <translation>&amp;Exportovat …</translation>
+    </message>
+    <message>
+        <source>Write the scenes with these decisions (Ctrl+E)</source>
+        <translation>Zapsat scény s těmito rozhodnutími (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>5 mm up</source>
+        <translation>5 mm nahoru</translation>
+    </message>
+    <message>
+        <source>Move the heights up by 5 mm (U)</source>
+        <translation>Posunout výšky o 5 mm nahoru (U)</translation>
+    </message>
+    <message>
+        <source>5 mm down</source>
+        <translation>5 mm dolů</translation>
+    </message>
+    <message>
+        <source>Move the heights down by 5 mm (D)</source>
+        <translation>Posunout výšky o 5 mm dolů (D)</translation>
+    </message>
+    <message>
+        <source>front up</source>
+        <translation>vpředu výš</translation>
+    </message>
+    <message>
+        <source>Tilt by 0.005 rad: higher ahead (F)</source>
+        <translation>Naklonit o 0,005 rad: vpředu výš (F)</translation>
+    </message>
+    <message>
+        <source>front down</source>
+        <translation>vpředu níž</translation>
+    </message>
+    <message>
+        <source>Tilt by 0.005 rad: lower ahead (G)</source>
+        <translation>Naklonit o 0,005 rad: vpředu níž (G)</translation>
+    </message>
+    <message>
+        <source>no nudge</source>
+        <translation>bez posunu</translation>
+    </message>
+    <message>
+        <source>Take the nudge of this scene away (0)</source>
+        <translation>Zrušit posun této scény (0)</translation>
+    </message>
+    <message>
+        <source>Decisions are saved in %1.</source>
+        <translation>Rozhodnutí se ukládají do %1.</translation>
+    </message>
+    <message>
+        <source>Decisions of %1.</source>
+        <translation>Rozhodnutí ze souboru %1.</translation>
+    </message>
+    <message>
+        <source>%1. Move this file away to decide anew.</source>
+        <translation>%1. Chcete-li rozhodnout znovu, soubor přesuňte jinam.</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Uloženo do %1.</translation>
+    </message>
+    <message>
+        <source>NOT SAVED: %1</source>
+        <translation>NEULOŽENO: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes: %2 accepted, %3 excluded</source>
+        <translation>scén: %1, přijato: %2, vyřazeno: %3</translation>
+    </message>
+    <message>
+        <source>Scene %1 of %2</source>
+        <translation>Scéna %1 z %2</translation>
+    </message>
+    <message>
+        <source>drive %1 at %2 s</source>
+        <translation>jízda %1 v %2 s</translation>
+    </message>
+    <message>
+        <source>%1 bins known</source>
+        <translation>známých bodů: %1</translation>
+    </message>
+    <message>
+        <source>cloud %1 mm from the robot</source>
+        <translation>mračno %1 mm od robota</translation>
+    </message>
+    <message>
+        <source>nudged by %1</source>
+        <translation>posunuto o %1</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>zatím neuloženo</translation>
+    </message>
+    <message>
+        <source>Scenes to write</source>
+        <translation>Scény k zapsání</translation>
+    </message>
+    <message>
+        <source>_accepted.csv</source>
+        <translation>_prijate.csv</translation>
+    </message>
+    <message>
+        <source>Scenes (*.csv)</source>
+        <translation>Scény (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name.</source>
+        <translation>%1 už existuje: zvolte jiné jméno.</translation>
+    </message>
+    <message>
+        <source>%1 known heights written to %2.</source>
+        <translation>Známých výšek zapsaných do %2: %1.</translation>
+    </message>
+    <message>
+        <source>next scene</source>
+        <translation>další scéna</translation>
+    </message>
+    <message>
+        <source>previous scene</source>
+        <translation>předchozí scéna</translation>
+    </message>
+    <message>
+        <source>next open scene</source>
+        <translation>další nerozhodnutá scéna</translation>
+    </message>
+    <message>
+        <source>show both sides</source>
+        <translation>ukázat obě strany</translation>
+    </message>
+    <message>
+        <source>show the left side</source>
+        <translation>ukázat levou stranu</translation>
+    </message>
+    <message>
+        <source>show the right side</source>
+        <translation>ukázat pravou stranu</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Rozhodnutí</translation>
+    </message>
+    <message>
+        <source>accept the scene</source>
+        <translation>přijmout scénu</translation>
+    </message>
+    <message>
+        <source>exclude the scene</source>
+        <translation>vyřadit scénu</translation>
+    </message>
+    <message>
+        <source>heights up by 5 mm</source>
+        <translation>výšky o 5 mm nahoru</translation>
+    </message>
+    <message>
+        <source>heights down by 5 mm</source>
+        <translation>výšky o 5 mm dolů</translation>
+    </message>
+    <message>
+        <source>tilt: higher ahead</source>
+        <translation>sklon: vpředu výš</translation>
+    </message>
+    <message>
+        <source>tilt: lower ahead</source>
+        <translation>sklon: vpředu níž</translation>
+    </message>
+    <message>
+        <source>undo the last decision</source>
+        <translation>vzít zpět poslední rozhodnutí</translation>
+    </message>
+    <message>
+        <source>write the scenes with these decisions</source>
+        <translation>zapsat scény s těmito rozhodnutími</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthRows</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>another run</source>
+        <translation>jiná jízda</translation>
+    </message>
+    <message>
+        <source>no pose around its time</source>
+        <translation>žádná poloha kolem jejího času</translation>
+    </message>
+    <message>
+        <source>left out: the robot lies off the cloud</source>
+        <translation>vynecháno: robot leží mimo mračno</translation>
+    </message>
+    <message>
+        <source>no bin is known well enough</source>
+        <translation>žádný bod není dost přesně znám</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>vyřazena</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>nerozhodnuto</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>přijata</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>scéna</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>rozhodnutí</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>jízda</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>čas [s]</translation>
+    </message>
+    <message>
+        <source>cloud</source>
+        <translation>mračno</translation>
+    </message>
+    <message>
+        <source>bins</source>
+        <translation>body</translation>
+    </message>
+    <message>
+        <source>nudge</source>
+        <translation>posun</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthView</name>
+    <message>
+        <source>Slice of the cloud, robot and bins</source>
+        <translation>Řez mračnem, robot a body</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthWindow</name>
+    <message>
+        <source>TRUTH — %1 — Terratact</source>
+        <translation>SKUTEČNOST — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>TRUTH FROM A LASER MAP</source>
+        <translation>SKUTEČNOST Z LASEROVÉ MAPY</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Skutečnost</translation>
+    </message>
+    <message>
+        <source>Scenes, their cloud, and the decisions on them</source>
+        <translation>Scény, jejich mračno a rozhodnutí o nich</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Stránky</translation>
     </message>
 </context>
 <context>

@@ -248,6 +248,21 @@
     </message>
 </context>
 <context>
+    <name>FileHeader</name>
+    <message>
+        <source>no link: a file</source>
+        <translation>keine Verbindung: eine Datei</translation>
+    </message>
+    <message>
+        <source>robot: --</source>
+        <translation>Roboter: --</translation>
+    </message>
+    <message>
+        <source>model: --</source>
+        <translation>Modell: --</translation>
+    </message>
+</context>
+<context>
     <name>Format</name>
     <message>
         <source>more than %1</source>
@@ -504,8 +519,8 @@
         <translation>%1 ließ sich nicht öffnen: das Programm ließ sich nicht noch einmal starten</translation>
     </message>
     <message>
-        <source>Sessions, logs, scenes and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
-        <translation>Sitzungen, Protokolle, Szenen und Aufzeichnungen anderer Programme (*.tts *.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
+        <source>Sessions, logs, scenes, truth files and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;All files (*)</source>
+        <translation>Sitzungen, Protokolle, Szenen, Wahrheitsdateien und Aufzeichnungen anderer Programme (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5076,74 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
         <translation>%1 Szenen zweier Ketten haben unbekannte Höhen: ihre bekannten Bins werden gelernt</translation>
     </message>
+    <message>
+        <source>%1 is %2, expected %3 to %4</source>
+        <translation>%1 ist %2, erwartet: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>row is %1, expected the number of a scene, from 1</source>
+        <translation>row ist %1, erwartet: Nummer einer Szene, ab 1</translation>
+    </message>
+    <message>
+        <source>decision is %1, expected accept or exclude</source>
+        <translation>decision ist %1, erwartet: accept oder exclude</translation>
+    </message>
+    <message>
+        <source>is not the header %1</source>
+        <translation>ist nicht die Kopfzeile %1</translation>
+    </message>
+    <message>
+        <source>row %1 already has a decision above, expected one for each row</source>
+        <translation>Zeile %1 hat weiter oben schon eine Entscheidung, erwartet: eine je Zeile</translation>
+    </message>
+    <message>
+        <source>line %1: row %2 does not exist, the scenes have %3 rows; were they made again?</source>
+        <translation>Zeile %1: Szene %2 gibt es nicht, die Datei hat %3 Szenen; wurde sie neu erzeugt?</translation>
+    </message>
+    <message>
+        <source>line %1: row %2 belongs to the run %3, not %4: take the decisions on these scenes</source>
+        <translation>Zeile %1: Szene %2 gehört zur Fahrt %3, nicht %4: die Entscheidungen zu diesen Szenen nehmen</translation>
+    </message>
+    <message>
+        <source>the slice of a scene is damaged: write the file again</source>
+        <translation>der Schnitt einer Szene ist beschädigt: Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>scene %1 is not one line of a scenes file</source>
+        <translation>Szene %1 ist keine Zeile einer Szenendatei</translation>
+    </message>
+    <message>
+        <source>scene %1 is missing: write the file again</source>
+        <translation>Szene %1 fehlt: Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>has more than %1 scenes</source>
+        <translation>hat mehr als %1 Szenen</translation>
+    </message>
+    <message>
+        <source>scene %1: why it has no heights is unknown</source>
+        <translation>Szene %1: warum sie keine Höhen hat, ist unbekannt</translation>
+    </message>
+    <message>
+        <source>scene %1: its distance to the cloud is not a number</source>
+        <translation>Szene %1: ihr Abstand zur Wolke ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>would hold %1 scenes; expected at most %2: take fewer scenes, or leave out --review</source>
+        <translation>enthielte %1 Szenen; erwartet: höchstens %2: weniger Szenen nehmen oder --review weglassen</translation>
+    </message>
+    <message>
+        <source>is not a truth file: terratact truth --review writes one</source>
+        <translation>ist keine Wahrheitsdatei: terratact truth --review schreibt eine</translation>
+    </message>
+    <message>
+        <source>is a truth file of another version: write it again by terratact truth --review</source>
+        <translation>ist eine Wahrheitsdatei einer anderen Version: mit terratact truth --review neu schreiben</translation>
+    </message>
+    <message>
+        <source>is a damaged truth file: write it again</source>
+        <translation>ist eine beschädigte Wahrheitsdatei: neu schreiben</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7125,18 +7208,6 @@ F1</translation>
     <message>
         <source>IMPORT OF A RECORDING</source>
         <translation>IMPORT EINER AUFZEICHNUNG</translation>
-    </message>
-    <message>
-        <source>no link: a file</source>
-        <translation>keine Verbindung: eine Datei</translation>
-    </message>
-    <message>
-        <source>robot: --</source>
-        <translation>Roboter: --</translation>
-    </message>
-    <message>
-        <source>model: --</source>
-        <translation>Modell: --</translation>
     </message>
     <message>
         <source>Import</source>
@@ -11338,6 +11409,342 @@ voraus</translation>
     <message>
         <source>Idle · done (log-likelihood %1)</source>
         <translation>Untätig · fertig (Log-Likelihood %1)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthPage</name>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>The arrow keys choose a scene; typing a number goes to it</source>
+        <translation>Die Pfeiltasten wählen eine Szene; eine getippte Nummer springt zu ihr</translation>
+    </message>
+    <message>
+        <source>Slice of the cloud, robot and bins</source>
+        <translation>Schnitt der Wolke, Roboter und Felder</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>left: dots · right: crosses · bins: mean of both sides, ± 1 and 2 sd</source>
+        <translation>links: Punkte · rechts: Kreuze · Felder: Mittel beider Seiten, ± 1 und 2 Standardabw.</translation>
+    </message>
+    <message>
+        <source>left: dots, solid · right: crosses, dashed · bins with ± 1 and 2 sd</source>
+        <translation>links: Punkte, durchgezogen · rechts: Kreuze, gestrichelt · Felder mit ± 1 und 2 Standardabw.</translation>
+    </message>
+    <message>
+        <source>both sides</source>
+        <translation>beide Seiten</translation>
+    </message>
+    <message>
+        <source>left side</source>
+        <translation>linke Seite</translation>
+    </message>
+    <message>
+        <source>right side</source>
+        <translation>rechte Seite</translation>
+    </message>
+    <message>
+        <source>Shown sides</source>
+        <translation>Gezeigte Seiten</translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation>&amp;Annehmen</translation>
+    </message>
+    <message>
+        <source>Keep the heights of this scene (A)</source>
+        <translation>Die Höhen dieser Szene behalten (A)</translation>
+    </message>
+    <message>
+        <source>E&amp;xclude</source>
+        <translation>Ausschl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>Leave this scene out (X)</source>
+        <translation>Diese Szene weglassen (X)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last decision back (Ctrl+Z)</source>
+        <translation>Die letzte Entscheidung zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Export …</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the scenes with these decisions (Ctrl+E)</source>
+        <translation>Die Szenen mit diesen Entscheidungen schreiben (Strg+E)</translation>
+    </message>
+    <message>
+        <source>5 mm up</source>
+        <translation>5 mm hoch</translation>
+    </message>
+    <message>
+        <source>Move the heights up by 5 mm (U)</source>
+        <translation>Die Höhen um 5 mm heben (U)</translation>
+    </message>
+    <message>
+        <source>5 mm down</source>
+        <translation>5 mm tiefer</translation>
+    </message>
+    <message>
+        <source>Move the heights down by 5 mm (D)</source>
+        <translation>Die Höhen um 5 mm senken (D)</translation>
+    </message>
+    <message>
+        <source>front up</source>
+        <translation>vorn hoch</translation>
+    </message>
+    <message>
+        <source>Tilt by 0.005 rad: higher ahead (F)</source>
+        <translation>Um 0,005 rad neigen: vorn höher (F)</translation>
+    </message>
+    <message>
+        <source>front down</source>
+        <translation>vorn tiefer</translation>
+    </message>
+    <message>
+        <source>Tilt by 0.005 rad: lower ahead (G)</source>
+        <translation>Um 0,005 rad neigen: vorn tiefer (G)</translation>
+    </message>
+    <message>
+        <source>no nudge</source>
+        <translation>ungerückt</translation>
+    </message>
+    <message>
+        <source>Take the nudge of this scene away (0)</source>
+        <translation>Die Verschiebung dieser Szene aufheben (0)</translation>
+    </message>
+    <message>
+        <source>Decisions are saved in %1.</source>
+        <translation>Entscheidungen werden in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Decisions of %1.</source>
+        <translation>Entscheidungen aus %1.</translation>
+    </message>
+    <message>
+        <source>%1. Move this file away to decide anew.</source>
+        <translation>%1. Diese Datei wegbewegen, um neu zu entscheiden.</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>In %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>NOT SAVED: %1</source>
+        <translation>NICHT GESPEICHERT: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes: %2 accepted, %3 excluded</source>
+        <translation>Szenen: %1, angenommen: %2, ausgeschlossen: %3</translation>
+    </message>
+    <message>
+        <source>Scene %1 of %2</source>
+        <translation>Szene %1 von %2</translation>
+    </message>
+    <message>
+        <source>drive %1 at %2 s</source>
+        <translation>Fahrt %1 bei %2 s</translation>
+    </message>
+    <message>
+        <source>%1 bins known</source>
+        <translation>bekannte Felder: %1</translation>
+    </message>
+    <message>
+        <source>cloud %1 mm from the robot</source>
+        <translation>Wolke %1 mm vom Roboter</translation>
+    </message>
+    <message>
+        <source>nudged by %1</source>
+        <translation>verschoben um %1</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Scenes to write</source>
+        <translation>Zu schreibende Szenen</translation>
+    </message>
+    <message>
+        <source>_accepted.csv</source>
+        <translation>_angenommen.csv</translation>
+    </message>
+    <message>
+        <source>Scenes (*.csv)</source>
+        <translation>Szenen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 exists already: choose another name.</source>
+        <translation>%1 gibt es schon: anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 known heights written to %2.</source>
+        <translation>Bekannte Höhen in %2 geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>next scene</source>
+        <translation>nächste Szene</translation>
+    </message>
+    <message>
+        <source>previous scene</source>
+        <translation>Szene davor</translation>
+    </message>
+    <message>
+        <source>next open scene</source>
+        <translation>nächste offene Szene</translation>
+    </message>
+    <message>
+        <source>show both sides</source>
+        <translation>beide Seiten zeigen</translation>
+    </message>
+    <message>
+        <source>show the left side</source>
+        <translation>die linke Seite zeigen</translation>
+    </message>
+    <message>
+        <source>show the right side</source>
+        <translation>die rechte Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>Entscheidungen</translation>
+    </message>
+    <message>
+        <source>accept the scene</source>
+        <translation>die Szene annehmen</translation>
+    </message>
+    <message>
+        <source>exclude the scene</source>
+        <translation>die Szene ausschließen</translation>
+    </message>
+    <message>
+        <source>heights up by 5 mm</source>
+        <translation>Höhen um 5 mm heben</translation>
+    </message>
+    <message>
+        <source>heights down by 5 mm</source>
+        <translation>Höhen um 5 mm senken</translation>
+    </message>
+    <message>
+        <source>tilt: higher ahead</source>
+        <translation>Neigung: vorn höher</translation>
+    </message>
+    <message>
+        <source>tilt: lower ahead</source>
+        <translation>Neigung: vorn tiefer</translation>
+    </message>
+    <message>
+        <source>undo the last decision</source>
+        <translation>die letzte Entscheidung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>write the scenes with these decisions</source>
+        <translation>die Szenen mit diesen Entscheidungen schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthRows</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>another run</source>
+        <translation>andere Fahrt</translation>
+    </message>
+    <message>
+        <source>no pose around its time</source>
+        <translation>keine Pose um ihre Zeit</translation>
+    </message>
+    <message>
+        <source>left out: the robot lies off the cloud</source>
+        <translation>weggelassen: der Roboter liegt neben der Wolke</translation>
+    </message>
+    <message>
+        <source>no bin is known well enough</source>
+        <translation>kein Feld ist gut genug bekannt</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>cloud</source>
+        <translation>Wolke</translation>
+    </message>
+    <message>
+        <source>bins</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>nudge</source>
+        <translation>Verschiebung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthView</name>
+    <message>
+        <source>Slice of the cloud, robot and bins</source>
+        <translation>Schnitt der Wolke, Roboter und Felder</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TruthWindow</name>
+    <message>
+        <source>TRUTH — %1 — Terratact</source>
+        <translation>WAHRHEIT — %1 — Terratact</translation>
+    </message>
+    <message>
+        <source>TRUTH FROM A LASER MAP</source>
+        <translation>WAHRHEIT AUS EINER LASERKARTE</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>Scenes, their cloud, and the decisions on them</source>
+        <translation>Szenen, ihre Wolke und die Entscheidungen dazu</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
     </message>
 </context>
 <context>

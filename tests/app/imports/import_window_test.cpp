@@ -195,9 +195,9 @@ TEST_F(ImportBench, droppedFilesAreOpened)
 
 TEST_F(ImportBench, isReadableInEveryThemeAndSize)
 {
-    ASSERT_TRUE(opensAndSurveys());
     for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
-        applyLook(*qApp, theme);
+        applyLook(*qApp, theme);  // a window keeps the theme with which it was made
+        ASSERT_TRUE(opensAndSurveys());
         window->setRoom({1024, 600});
         ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
         window->resize(1024, 600);

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "app/imports/truth_view.h"
+#include "app/modelling/truth_choices.h"
+#include "app/modelling/truth_file.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace terratact {
+
+class KeyTable;
+class TruthRows;
+
+/// The scenes of a truth file, and the decisions on them: accept, exclude, nudge. Decisions are saved beside the truth
+/// file by themselves. A decisions file that does not fit is left alone; nothing is saved then.
+class TruthPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TruthPage(TruthFile file, QWidget* parent = nullptr);
+    ~TruthPage() override;  ///< saves what is not saved yet
+
+    void showScene(std::size_t row);  ///< clamped to the last scene
+    std::size_t scene() const { return row_; }
+    void addKeys(KeyTable& keys);
+
+    /// Writes the scenes with the decisions applied, as `terratact truth --decisions` does.
+    void exportTo(const QString& path);
+    void save();  ///< the decisions, if there are new ones
+
+    static constexpr double kHeightStep = 0.005;  ///< [m]
+    static constexpr double kTiltStep = 0.005;    ///< [rad]
+
+    QString decisionsPath() const;
+    const TruthChoices& choices() const { return choices_; }
+    QTableView* table() const { return table_; }
+    TruthView* view() const { return view_; }
+    QPushButton* acceptButton() const { return accept_; }
+    QPushButton* excludeButton() const { return exclude_; }
+    QPushButton* undoButton() const { return undo_; }
+    QPushButton* exportButton() const { return export_; }
+    QComboBox* sidesChoice() const { return sides_; }
+    QLabel* sceneLabel() const { return sceneText_; }
+    QLabel* stateLabel() const { return state_; }
+
+private:
+    void build();
+    QPushButton* button(const QString& text, const QString& tip, void (TruthPage::*act)());
+    void fitColumns();
+    void changeEvent(QEvent* event) override;
+    void loadDecisions();
+    void decided(bool goesOn);
+    void accept();
+    void exclude();
+    void nudge(double offset, double tilt);
+    void heightUp();
+    void heightDown();
+    void tiltUp();
+    void tiltDown();
+    void resetNudge();
+    void undo();
+    void askForExport();
+    void go(int by);
+    void showCurrent();
+    void showState(const QString& text);
+    QString summary() const;
+
+    TruthFile file_;
+    TruthChoices choices_;
+    bool mayDecide_ = true;  ///< the decisions file is ours
+    bool isSaved_ = true;
+    std::size_t row_ = 0;
+    QTimer saveSoon_;
+
+    TruthRows* rows_ = nullptr;
+    QTableView* table_ = nullptr;
+    TruthView* view_ = nullptr;
+    QLabel* sceneText_ = nullptr;
+    QLabel* state_ = nullptr;
+    QComboBox* sides_ = nullptr;
+    QPushButton* accept_ = nullptr;
+    QPushButton* exclude_ = nullptr;
+    QPushButton* undo_ = nullptr;
+    QPushButton* export_ = nullptr;
+    QList<QPushButton*> deciding_;  ///< off while mayDecide_ is false
+};
+
+}  // namespace terratact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/modelling/laser_truth.h"
+#include "app/modelling/truth_slice.h"
+#include "core/base/result.h"
+
+namespace terratact {
+
+class SqliteFile;
+
+inline constexpr std::int64_t kTruthApplicationId = 0x54545431;  ///< "TTT1", of the SQLite header
+inline constexpr std::size_t kMaxTruthScenes = 20'000;
+
+/// Writes a truth file (SQLite, docs/truth.md): the robot, every scene with its heights and why heights are missing, and
+/// its slice of the cloud to 1 mm. robotFile: read again. The file is written under a temporary name and renamed.
+/// Errors name the file: too many scenes, or what SQLite and file_write.h refuse.
+Status writeTruthFile(const std::string& path, const LaserTruth& truth,
+                      const std::string& robotFile);
+
+/// A truth file of any source. Scenes are read at once, slices when they are asked for. One thread at a time.
+class TruthFile {
+public:
+    /// Errors name the file: another kind or version, a damaged one, a scene or a robot that is refused.
+    static Result<TruthFile> open(const std::string& path);
+    TruthFile(TruthFile&& other) noexcept;
+    TruthFile& operator=(TruthFile&& other) noexcept;
+    TruthFile(const TruthFile&) = delete;
+    TruthFile& operator=(const TruthFile&) = delete;
+    ~TruthFile();
+
+    /// Returns the truth without its grid, cloud statistics and remarks.
+    const LaserTruth& truth() const { return truth_; }
+    /// Returns the slice of a row from 0. Errors name the file and the row.
+    Result<std::vector<SlicePoint>> slice(std::size_t row);
+    const std::string& path() const { return path_; }
+
+private:
+    TruthFile(std::string path, SqliteFile file);
+    void read();
+
+    std::string path_;
+    std::unique_ptr<SqliteFile> file_;
+    LaserTruth truth_{};
+};
+
+}  // namespace terratact

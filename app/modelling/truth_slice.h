@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "app/modelling/laser_truth.h"
+
+namespace terratact {
+
+/// A point of the cloud under a line of the robot, DEM frame [m].
+struct SlicePoint {
+    TruthLine line = TruthLine::LeftTrack;
+    double x = 0.0, z = 0.0;
+    bool operator==(const SlicePoint&) const = default;
+};
+
+inline constexpr std::size_t kMaxCellPoints = 12;  ///< of a cell in a slice
+/// Part of the DEM frame that a slice shows [m]: the bins, and the robot with raised flippers.
+inline constexpr double kSliceRear = -0.82, kSliceFront = 0.9;
+inline constexpr double kSliceBottom = -0.8, kSliceTop = 0.4;
+
+/// Returns the slice of a scene: up to +0.25 m the points under the tracks, then those under the flippers, with the
+/// scene's correction. Points of a cell lie side by side. Empty without a pose or a grid.
+std::vector<SlicePoint> truthSlice(const LaserTruth& truth, std::size_t row);
+
+}  // namespace terratact
