@@ -145,8 +145,8 @@ private:
             if (owner_.catalogue_.add(rows_[i].frame)) ++owner_.version_;
         if (batch == catalogued_) ++catalogued_;
         owner_.share_ = static_cast<double>(next_) / static_cast<double>(batches);
-        constexpr std::size_t kPublishEvery = 64;
-        if (next_ % kPublishEvery == 0 || next_ == batches) ++owner_.version_;
+        constexpr std::size_t kRowsBetweenNews = 64;
+        if (next_ % kRowsBetweenNews == 0 || next_ == batches) ++owner_.version_;
         return true;
     }
 
