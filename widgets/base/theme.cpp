@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "widgets/base/focus_mark.h"
+#include "widgets/base/late_style.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/style_sheet.h"
@@ -102,6 +103,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     installSpokenLabels();
     keepPlotsPlain();
     markFocus(application);
+    tellHiddenAreasLate(application);
     // A style sheet wraps the style; a second style would be wrapped, too.
     if (first) QApplication::setStyle(new TargetStyle);
     // Without a style sheet the font costs half. Each of the calls below visits every widget.

@@ -252,12 +252,18 @@ TEST_F(GamepadConsole, anUnmetPreconditionIsShown)
 TEST_F(GamepadConsole, theStepLimitChangesByOneStepPerPress)
 {
     ASSERT_NO_FATAL_FAILURE(openScripted());
-    const double before = window->exploration().options().stepLimit;
-    tap(PadButton::Up);
-    const double above = window->exploration().options().stepLimit;
-    EXPECT_GT(above, before);
-    tap(PadButton::Down);
-    EXPECT_DOUBLE_EQ(window->exploration().options().stepLimit, before);
+    const auto limit = [&] { return window->exploration().options().stepLimit; };
+    const double before = limit();
+    pad->set(PadButton::Up, true);
+    EXPECT_TRUE(eventually([&] { return limit() > before; }));
+    pad->set(PadButton::Up, false);
+    settle();
+    EXPECT_NEAR(limit(), before + 0.01, 1e-9) << "one step, however long it is pressed";
+    pad->set(PadButton::Down, true);
+    EXPECT_TRUE(eventually([&] { return limit() < before + 0.005; }));
+    pad->set(PadButton::Down, false);
+    settle();
+    EXPECT_DOUBLE_EQ(limit(), before);
 }
 
 /// The same gamepad with a robot behind the command gate.
