@@ -35,12 +35,12 @@ TrailData smallTrail()
         const TerrainProfile terrain = randomVariedTerrain(rng);
         const DriveStyle style = randomDriveStyle(rng);
         drives.push_back(driveWay(absolem(), terrain, std::to_string(seed), style,
-                                  {.spacing = 0.05}, DriveConditions{}, rng, skipped));
+                                  {.spacing = 0.12}, DriveConditions{}, rng, skipped));
     }
     TrailOptions options;
     options.networks = 1;
     options.network.hidden = {8};
-    options.network.epochs = 2;
+    options.network.epochs = 1;
     options.network.batch = 32;
     TrailData trail;
     trail.plane = trainTrail(trailRows(drives, 0, absolem(), false, 1), false, options);
