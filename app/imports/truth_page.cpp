@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "app/display/format.h"
@@ -57,7 +58,11 @@ TruthPage::TruthPage(TruthFile file, QWidget* parent)
 
 TruthPage::~TruthPage()
 {
-    save();
+    try {
+        save();
+    } catch (const std::exception& error) {
+        qWarning("the last decisions were not saved: %s", error.what());
+    }
 }
 
 QPushButton* TruthPage::button(const QString& text, const QString& tip, void (TruthPage::*act)())

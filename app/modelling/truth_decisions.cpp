@@ -20,7 +20,7 @@ constexpr const char* kDecisionHeader = "row,run,decision,offset_m,tilt_rad";
 Result<double> nudgeOf(CsvReader& csv, std::size_t field, const char* what, double most)
 {
     if (csv.isMissing(field)) return 0.0;
-    const auto value = csv.number(field, what);
+    auto value = csv.number(field, what);
     if (value && std::abs(*value) > most)
         return csv.error(
             Message(TR_NOOP("core", "%1 is %2, expected %3 to %4"), what, *value, -most, most));
