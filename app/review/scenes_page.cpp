@@ -1,6 +1,5 @@
 #include "app/review/scenes_page.h"
 
-#include <QHeaderView>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -134,17 +133,7 @@ ScenesPage::ScenesPage(SceneRows& rows, QWidget* parent) : Page(parent), rows_(r
     table_->setModel(&rows);
     table_->setAccessibleName(tr("Scenes of the file"));
     setTip(*table_, tr("Enter or a double click shows the scene; typing a number goes to it"));
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setTabKeyNavigation(false);
-    table_->setShowGrid(false);
-    table_->setAlternatingRowColors(true);
-    table_->setWordWrap(false);
-    table_->setFrameShape(QFrame::NoFrame);
-    table_->verticalHeader()->hide();
-    table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    chooseRows(*table_);
     card->body()->addWidget(summary_);
     card->body()->addWidget(table_, 1);
     auto* column = new QVBoxLayout(this);

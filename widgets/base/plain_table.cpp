@@ -28,6 +28,21 @@ void fitRows(QTableView& table, const QFontMetrics& letters)
     table.verticalHeader()->setDefaultSectionSize(letters.height() + kSpace);
 }
 
+void chooseRows(QTableView& table)
+{
+    table.setSelectionBehavior(QAbstractItemView::SelectRows);
+    table.setSelectionMode(QAbstractItemView::SingleSelection);
+    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table.setTabKeyNavigation(false);
+    table.setShowGrid(false);
+    table.setAlternatingRowColors(true);
+    table.setWordWrap(false);
+    table.setFrameShape(QFrame::NoFrame);
+    table.verticalHeader()->hide();
+    table.horizontalHeader()->setHighlightSections(false);
+    table.horizontalHeader()->setStretchLastSection(true);
+}
+
 QSize HeadedTable::minimumSizeHint() const
 {
     const QHeaderView& header = *horizontalHeader();

@@ -19,6 +19,9 @@ int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int col
 /// Sets the row height to that of the font; QTableView keeps a fixed height in pixels.
 void fitRows(QTableView& table, const QFontMetrics& letters);
 
+/// Makes a table a list from which the operator chooses one row. Nothing is edited, and Tab leaves it.
+void chooseRows(QTableView& table);
+
 /// A table at least as wide as its column headings.
 class HeadedTable : public QTableWidget {
     Q_OBJECT
