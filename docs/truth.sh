@@ -37,9 +37,9 @@ trial() {
 
 | input | read |
 |---|---|
-| cloud | PCD: ascii, binary, binary_compressed, every number type. PLY: ascii, both byte orders. Text: x y z in m, by the first columns or by name; PTS. LAS and LAZ are not read: convert them. |
-| scans | with `--scans`, clouds in the sensor's frame, named by their times (`1436509052.25.pcd`); with `--topic`, messages of PointCloud2 in the recordings that `import` reads. `--sensor-mount` says where the sensor is |
-| poses | TUM (`time x y z qx qy qz qw`), CSV with these columns and possibly `run`, or with `--mapping` the odometry of a recording. `--pose-mount` says where their frame is in the base |
+| cloud | PCD: ascii, binary, binary_compressed, every number type. PLY: ascii, both byte orders. Text: x y z in m, by the first columns or by name, also with decimal commas between semicolons, tabs or blanks; PTS. LAS and LAZ are not read, because Debian 12 packages no library for them; convert them to PLY or text. |
+| scans | with `--scans`, clouds in the sensor's frame, named by their times (`1436509052.25.pcd`); with `--topic`, messages of PointCloud2 in the recordings that `import` reads. `--sensor-mount` says where the sensor is, or with `--tf-base base_link` /tf and /tf_static of the recordings |
+| poses | TUM (`time x y z qx qy qz qw`), CSV with these columns and possibly `run`, or with `--mapping` the odometry of a recording: a topic, or the transforms between two frames. `--pose-mount` says where their frame is in the base |
 | scenes | of one plane, or of left and right. Their `t_s` counts from the begin of the drive: `--session` or `--start` gives the poses' clock there |
 
 The cloud's frame has z up. Of a pose only place and heading count for a scene: pitch and roll are those that the robot measured.

@@ -36,6 +36,10 @@ void addTruthMounts(CLI::App& c, LaserTruthOptions& o)
               "Pose of the poses' frame in the base [m, degrees]; default: the base itself");
     addParsed(c, "--sensor-mount", o.sensorMount, mountFrom, kind, complaint,
               "Pose of the sensor of scans in the base [m, degrees]");
+    c.add_option("--tf-base", o.tfBase,
+                 "Frame of the base: /tf and /tf_static say where the sensor of --topic is")
+        ->needs("--topic")
+        ->excludes("--sensor-mount");
 }
 
 void addTruthRules(CLI::App& c, LaserTruthOptions& o)

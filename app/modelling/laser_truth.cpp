@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/clouds/cloud_messages.h"
 #include "core/clouds/cloud_reader.h"
+#include "core/clouds/scan_time.h"
+#include "core/clouds/sensor_frames.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/log/session_reader.h"
@@ -22,19 +23,6 @@ namespace {
 
 constexpr double kPassDistance = 0.1, kPassTurn = 0.05;  // [m], [rad] between two passes
 constexpr double kBandSd = 1.2816;                       // 80 % of a normal distribution
-
-/// Returns the time that a file's name spells: the last number in it, in s, or in ns from 1e15 on.
-std::optional<double> timeInName(const std::string& path)
-{
-    const std::string name = std::filesystem::path(path).stem().string();
-    const std::size_t end = name.find_last_of("0123456789");
-    if (end == std::string::npos) return std::nullopt;
-    const std::size_t before = name.find_last_not_of("0123456789.", end);
-    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-    const auto time = numberFrom(std::string_view(name).substr(begin, end + 1 - begin));
-    if (!time) return std::nullopt;
-    return *time >= 1e15 ? *time * 1e-9 : *time;
-}
 
 class LaserTruthFinder {
 public:
@@ -123,6 +111,7 @@ private:
     {
         const auto mapping = readMapping(options_.mapping);
         if (!mapping) return mapping.error();
+        if (mapping->odometry) poseFrames_ = *mapping->odometry;
         auto recording = openRecording(options_.poses, mapping->csv);
         if (!recording) return recording.error();
         auto tracks = readPoses(**recording, *mapping, options_.limits);
@@ -226,6 +215,7 @@ private:
 
     Status addClouds()
     {
+        if (Status done = readSensors(); !done) return done;
         for (const std::string& file : options_.clouds) {
             Status done = options_.topic.empty() ? addCloud(file) : addRecordedClouds(file);
             if (!done) return done;
@@ -242,7 +232,7 @@ private:
     {
         std::optional<CloudPose> base;
         if (options_.scans) {
-            const auto time = timeInName(file);
+            const auto time = scanTimeIn(file);
             if (!time)
                 return fileError(
                     file,
@@ -262,7 +252,7 @@ private:
             if (!more) return more.error();
             if (!*more) break;
             if (base)
-                truth_.grid->addScan(block, *base, options_.sensorMount);
+                truth_.grid->addScan(block, *base, options_.sensorMount.value_or(CloudPose()));
             else
                 truth_.grid->add(block);
         }
@@ -278,22 +268,54 @@ private:
         return tracks_.size() == 1 ? &tracks_.begin()->second : nullptr;
     }
 
+    /// Reads the transforms that place the sensors of clouds of a topic.
+    Status readSensors()
+    {
+        const std::string& base = options_.tfBase.empty() ? poseFrames_.baseFrame : options_.tfBase;
+        if (options_.topic.empty() || options_.sensorMount || base.empty()) return Done{};
+        std::vector<std::string> others;
+        if (!options_.mapping.empty()) others.push_back(options_.poses);
+        auto sensors = SensorFrames::read(base, options_.clouds, options_.topic, others,
+                                          options_.limits.maxGap);
+        if (!sensors) return sensors.error();
+        sensors_ = *std::move(sensors);
+        return Done{};
+    }
+
+    /// Returns false if no pose of base or sensor is known at the cloud's time. Clouds in the poses' frame are maps.
+    bool addRecordedCloud(const CloudMessage& cloud)
+    {
+        if (poseFrames_.isTransform() && cloud.frame == poseFrames_.frame) {
+            truth_.grid->add(cloud.points);
+            return true;
+        }
+        const auto base = baseAt(onlyTrack(), cloud.stamp);
+        const auto mount =
+            sensors_ ? sensors_->mountOf(cloud) : options_.sensorMount.value_or(CloudPose());
+        if (!base || !mount) return false;
+        truth_.grid->addScan(cloud.points, *base, *mount);
+        return true;
+    }
+
     Status addRecordedClouds(const std::string& file)
     {
         std::size_t without = 0;
-        const auto read = readCloudMessages(
-            file, options_.topic, [&](double time, std::span<const CloudPoint> points) {
-                const auto base = baseAt(onlyTrack(), time);
-                if (base)
-                    truth_.grid->addScan(points, *base, options_.sensorMount);
-                else
-                    ++without;
-            });
+        double first = 0.0, last = 0.0;
+        const auto read = readCloudMessages(file, options_.topic, [&](const CloudMessage& cloud) {
+            if (!addRecordedCloud(cloud) && ++without == 1) first = cloud.stamp;
+            last = cloud.stamp;
+            return true;
+        });
         if (!read) return read.error();
         truth_.points += read->points;
         truth_.leftOut += read->leftOut;
         for (const std::string& remark : read->remarks)
             truth_.remarks.push_back(fmt::format("{}: {}", file, remark));
+        if (without > 0 && without == read->clouds)
+            return fileError(
+                file, fmt::format("topic {}: its clouds are from {:.3f} to {:.3f} s, but no poses "
+                                  "are known then: correct the clocks, or raise --max-gap",
+                                  printable(options_.topic), first, last));
         if (without > 0)
             truth_.remarks.push_back(
                 fmt::format("{}: {} of {} clouds have no poses around their time; left out", file,
@@ -381,6 +403,8 @@ private:
     const LaserTruthOptions& options_;
     LaserTruth truth_;
     PoseTracks tracks_;
+    OdometrySource poseFrames_;  ///< of a recording
+    std::optional<SensorFrames> sensors_;
     double start_ = 0.0;
 };
 

@@ -21,10 +21,14 @@ struct LaserTruthOptions {
     std::vector<std::string> clouds;  ///< files
     std::string poses;                ///< TUM, CSV, or with `mapping` a recording
     std::string mapping;              ///< says where poses are in a recording
-    std::string topic;              ///< non-empty: clouds are recordings with PointCloud2 messages
-    bool scans = false;             ///< clouds are in the sensor's frame, named by their times
-    CloudPose poseMount{};          ///< pose of the frame of `poses` in the base
-    CloudPose sensorMount{};        ///< pose of the sensor in the base
+    std::string topic;      ///< non-empty: clouds are recordings with PointCloud2 messages
+    bool scans = false;     ///< clouds are in the sensor's frame, named by their times
+    CloudPose poseMount{};  ///< pose of the frame of `poses` in the base
+    std::optional<CloudPose>
+        sensorMount{};  ///< pose of the sensor in the base; else as tfBase says
+    std::string
+        tfBase{};  ///< frame of the base: sensors of `topic` are placed by transforms. Empty: that of the
+                   ///< mapping, if it takes poses from transforms, else the sensor is at the base
     std::string run;                ///< the only run; empty: all
     std::optional<double> start{};  ///< [s] of the poses' clock at t_s = 0
     std::string session;            ///< whose begin is `start`

@@ -123,7 +123,7 @@ Result<CloudMessage> cloudMessage(const RecordedTopic& topic, std::string_view d
     const double seconds =
         cursor->isRos1() ? cursor->number<std::uint32_t>() : cursor->number<std::int32_t>();
     message.stamp = seconds + 1e-9 * cursor->number<std::uint32_t>();
-    cursor->text();  // frame
+    message.frame = cursor->text();
     const auto height = cursor->number<std::uint32_t>(), width = cursor->number<std::uint32_t>();
     const auto axes = axesOf(*cursor);
     if (!axes) return axes.error();
@@ -160,9 +160,8 @@ Result<CloudMessage> cloudMessage(const RecordedTopic& topic, std::string_view d
     return message;
 }
 
-Result<CloudMessages>
-readCloudMessages(const std::string& path, const std::string& topic,
-                  const std::function<void(double time, std::span<const CloudPoint> points)>& add)
+Result<CloudMessages> readCloudMessages(const std::string& path, const std::string& topic,
+                                        const std::function<bool(const CloudMessage& cloud)>& add)
 {
     auto recording = openRecording(path);
     if (!recording) return recording.error();
@@ -180,7 +179,7 @@ readCloudMessages(const std::string& path, const std::string& topic,
                 fmt::format("topic {}: its type is {}: PointCloud2 was expected; choose another "
                             "--topic",
                             printable(topic), printable(from.type)));
-        const auto cloud = cloudMessage(from, message.data);
+        auto cloud = cloudMessage(from, message.data);
         if (!cloud)
             return fileError(path, fmt::format("topic {}: message at {} {}: {}", printable(topic),
                                                (*recording)->offsetUnit(), message.offset,
@@ -188,8 +187,8 @@ readCloudMessages(const std::string& path, const std::string& topic,
         ++read.clouds;
         read.points += cloud->points.size() + cloud->leftOut;
         read.leftOut += cloud->leftOut;
-        add(cloud->stamp > 0.0 ? cloud->stamp : 1e-9 * static_cast<double>(message.time),
-            cloud->points);
+        if (!(cloud->stamp > 0.0)) cloud->stamp = 1e-9 * static_cast<double>(message.time);
+        if (!add(*cloud)) break;
     }
     read.remarks = (*recording)->consumeRemarks();
     if (read.clouds > 0) return read;

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +14,8 @@ namespace terratact {
 
 /// Points of a message sensor_msgs/PointCloud2.
 struct CloudMessage {
-    double stamp = 0.0;  ///< [s] of its header
+    double stamp = 0.0;   ///< [s] of its header
+    std::string frame{};  ///< of its header: the sensor's
     std::vector<CloudPoint> points{};
     std::uint64_t leftOut = 0;  ///< not finite, or farther than kFarthestPoint
 };
@@ -30,11 +30,10 @@ struct CloudMessages {
     std::vector<std::string> remarks{};
 };
 
-/// Reads the clouds of a topic in a recording, one message at a time. Calls `add` with the header's stamp [s], or the
-/// recorder's time if it is 0, and the points in the sensor's frame. Errors name the file, the topic and the
+/// Reads the clouds of a topic in a recording, one message at a time. Calls `add` with the message, whose stamp is the
+/// recorder's time if it was 0; it returns false to end the reading. Errors name the file, the topic and the
 /// message: there is no such topic, its type is not PointCloud2, or a message cannot be decoded.
-Result<CloudMessages>
-readCloudMessages(const std::string& path, const std::string& topic,
-                  const std::function<void(double time, std::span<const CloudPoint> points)>& add);
+Result<CloudMessages> readCloudMessages(const std::string& path, const std::string& topic,
+                                        const std::function<bool(const CloudMessage& cloud)>& add);
 
 }  // namespace terratact

@@ -64,7 +64,7 @@ std::vector<CloudPoint> groundCloud(const RobotModel& robot, const GroundLines& 
         const double x = alongX(rng), y = acrossY(rng), error = made.noise * noise(rng);
         if (isInHole(holes, x, y)) continue;
         const double under = std::abs(y) < edge ? robot.lateral.trackY : robot.lateral.flipperY;
-        const Eigen::Vector3d p = drive.toCloud(
+        const Eigen::Vector3d p = drive.toOther(
             {x, y, ground.under(std::copysign(under, y)).heightAt(x) + error + made.offset});
         points.push_back({p.x(), p.y(), p.z()});
     }
@@ -82,7 +82,7 @@ std::vector<CloudPoint> robotCloud(const RobotModel& robot, const CloudPose& bas
     points.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const Eigen::Vector3d own(x(rng), y(rng), z(rng));
-        const Eigen::Vector3d p = base.toCloud(own);
+        const Eigen::Vector3d p = base.toOther(own);
         points.push_back({p.x(), p.y(), p.z()});
     }
     return points;

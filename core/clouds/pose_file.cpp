@@ -9,6 +9,7 @@
 #include "core/clouds/cloud_file.h"
 #include "core/clouds/cloud_reader.h"
 #include "core/clouds/pose_track.h"
+#include "core/mapping/recorded_transforms.h"
 #include "core/store/csv_field.h"
 #include "core/store/file_read.h"
 
@@ -192,6 +193,31 @@ std::optional<PoseNumbers> poseOf(const FieldValue& message, const OdometrySourc
     return numbers;
 }
 
+/// Reads the poses of transforms.
+Result<PoseTracks> readSentPoses(Recording& recording, const Mapping& mapping,
+                                 const PoseLimits& limits)
+{
+    const OdometrySource& source = *mapping.odometry;
+    TransformTree transforms(limits.maxGap);
+    transforms.want(source.frame);
+    transforms.want(source.baseFrame);
+    if (Status read = readTransforms(recording, transforms); !read) return read.error();
+    const auto sent = sentPoses(transforms, source, mapping.byHeader);
+    if (!sent) return fileError(recording.path(), sent.error().text);
+    PoseCollector collector(limits);
+    for (const SentPose& p : sent->poses) {
+        const Eigen::Vector3d& at = p.pose.place;
+        const Eigen::Quaterniond& q = p.pose.turn;
+        const std::string refusal = collector.add("", {1e-9 * static_cast<double>(p.time), at.x(),
+                                                       at.y(), at.z(), q.x(), q.y(), q.z(), q.w()});
+        if (!refusal.empty())
+            return fileError(recording.path(),
+                             fmt::format("transforms from {} to {}: {}", shown(source.frame),
+                                         shown(source.baseFrame), refusal));
+    }
+    return std::move(collector).tracks();
+}
+
 }  // namespace
 
 Result<PoseTracks> readPoses(const std::string& path, const PoseLimits& limits)
@@ -207,6 +233,7 @@ Result<PoseTracks> readPoses(Recording& recording, const Mapping& mapping, const
         return fileError(recording.path(),
                          "the mapping has no table [odometry]: it says where poses are");
     const OdometrySource& source = *mapping.odometry;
+    if (source.isTransform()) return readSentPoses(recording, mapping, limits);
     recording.select({source.source.topic});
     PoseCollector collector(limits);
     std::size_t messages = 0;

@@ -14,20 +14,7 @@ namespace {
 
 constexpr double kSameTime = 1e-3;  // [s]
 
-CloudPose between(const PoseTrack::Entry& a, const PoseTrack::Entry& b, double time)
-{
-    const double share = (time - a.time) / (b.time - a.time);
-    return {a.pose.place + share * (b.pose.place - a.pose.place),
-            a.pose.turn.slerp(share, b.pose.turn)};
-}
-
 }  // namespace
-
-CloudPose CloudPose::inverse() const
-{
-    const Eigen::Quaterniond back = turn.conjugate();
-    return {-(back * place), back};
-}
 
 std::optional<CloudPose> mountFrom(std::string_view text)
 {
@@ -66,7 +53,7 @@ std::optional<CloudPose> PoseTrack::at(double time) const
     const Entry& before = *(after - 1);
     if (time - before.time <= kSameTime) return before.pose;
     if (after == entries_.end() || after->time - before.time > maxGap_) return std::nullopt;
-    return between(before, *after, time);
+    return between(before.pose, after->pose, (time - before.time) / (after->time - before.time));
 }
 
 }  // namespace terratact

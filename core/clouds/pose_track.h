@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,23 +8,13 @@
 
 #include "core/bags/recording.h"
 #include "core/base/result.h"
+#include "core/mapping/frame_pose.h"
 #include "core/mapping/mapping.h"
 
 namespace terratact {
 
-/// Pose of a frame in the cloud's frame, which has z up: p_cloud = turn · p + place.
-struct CloudPose {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< [m]
-    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-
-    Eigen::Vector3d toCloud(const Eigen::Vector3d& p) const { return turn * p + place; }
-    /// Returns the pose of a frame whose pose in this frame is `mount`.
-    CloudPose with(const CloudPose& mount) const
-    {
-        return {toCloud(mount.place), turn * mount.turn};
-    }
-    CloudPose inverse() const;
-};
+/// Pose of a frame in the cloud's frame, which has z up.
+using CloudPose = FramePose;
 
 /// Reads "x y z roll pitch yaw" in m and degrees, turned about z, then y, then x as ROS does (REP 103).
 /// Empty unless it spells six finite numbers.
@@ -74,8 +63,8 @@ using PoseTracks = std::map<std::string, PoseTrack>;
 /// m.
 Result<PoseTracks> readPoses(const std::string& path, const PoseLimits& limits);
 
-/// Reads the poses of the topic that the mapping names under [odometry]. Times are those of the
-/// recorder, or of header.stamp if the mapping says so [s]. Errors are as above.
+/// Reads the poses of the topic that the mapping names under [odometry], or those of its base_frame in its frame from
+/// transforms. Times are those of the recorder, or of header.stamp if the mapping says so [s]. Errors are as above.
 Result<PoseTracks> readPoses(Recording& recording, const Mapping& mapping,
                              const PoseLimits& limits);
 

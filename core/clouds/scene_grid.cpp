@@ -214,13 +214,13 @@ void SceneGrid::addScan(std::span<const CloudPoint> points, const CloudPose& bas
     const double width =
         std::max(l.trackY + 0.5 * l.trackWidth, l.flipperY + 0.5 * l.flipperWidth) + kOwnMargin;
     for (const CloudPoint& p : points) {
-        const Eigen::Vector3d inBase = mount.toCloud({p.x, p.y, p.z});
+        const Eigen::Vector3d inBase = mount.toOther({p.x, p.y, p.z});
         if (std::abs(inBase.x()) < length && std::abs(inBase.y()) < width
             && std::abs(inBase.z()) < length) {
             ++own_;
             continue;
         }
-        addPoint(base.toCloud(inBase));
+        addPoint(base.toOther(inBase));
     }
 }
 

@@ -49,7 +49,7 @@ ScenePlace placeOf(const RobotModel& robot, std::size_t row, const TwoTrackReadi
     const Eigen::Matrix3d axes = base.turn.toRotationMatrix();
     return {.row = row,
             .s = s,
-            .imu = base.toCloud({robot.imu.x, 0.0, robot.imu.z}),
+            .imu = base.toOther({robot.imu.x, 0.0, robot.imu.z}),
             .heading = std::atan2(axes(1, 0), axes(0, 0)),
             .posePitch = std::asin(std::clamp(axes(2, 0), -1.0, 1.0)),
             .poseRoll = std::atan2(axes(2, 1), axes(2, 2))};

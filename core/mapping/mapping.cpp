@@ -181,8 +181,14 @@ void readPoses(TomlSection& file, Mapping& mapping)
     if (file.has("odometry")) {
         file.section("odometry", [&](TomlSection& s) {
             OdometrySource odometry{.source = topicOf(s, "odometry")};
-            odometry.source.field = s.text("position");
-            odometry.orientation = s.text("orientation");
+            odometry.frame = optionalText(s, "frame");
+            if (odometry.isTransform()) {
+                odometry.baseFrame = s.text("base_frame");
+                odometry.source.topic = "/tf";
+            } else {
+                odometry.source.field = s.text("position");
+                odometry.orientation = s.text("orientation");
+            }
             mapping.odometry = std::move(odometry);
         });
         mapping.odometry->source.line = file.node("odometry").source().begin.line;

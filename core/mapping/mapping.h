@@ -55,10 +55,14 @@ struct AttitudeSource {
     std::string baseFrame{};  ///< non-empty: the mounting comes from the transforms instead
 };
 
-/// Way and heading from poses.
+/// Way and heading from poses: fields of a topic, or transforms from frame to baseFrame.
 struct OdometrySource {
     FieldSource source;         ///< field: position with members x, y, z
     std::string orientation{};  ///< quaternion beside it
+    std::string frame{};        ///< non-empty: poses come from /tf and /tf_static
+    std::string baseFrame{};
+
+    bool isTransform() const { return !frame.empty(); }
 };
 
 /// Frames of a CAN bus as messages.

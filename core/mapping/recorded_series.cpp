@@ -8,20 +8,16 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/mapping/pose_samples.h"
+#include "core/mapping/recorded_transforms.h"
 #include "core/mapping/rotation.h"
 #include "core/mapping/topic_decoding.h"
 #include "core/mapping/transform_tree.h"
+#include "core/mapping/way_series.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
-
-/// Pose of a message: a position, if there is one, and a rotation.
-struct PoseSample {
-    std::int64_t time = 0;
-    std::array<double, 3> position{};
-    Rotation rotation{};
-};
 
 /// Position of an activity or refusal among its enumerators; empty for an unknown text.
 std::optional<double> enumeratorOf(Quantity quantity, const std::string& text)
@@ -36,23 +32,6 @@ std::optional<double> enumeratorOf(Quantity quantity, const std::string& text)
     return find(Refusal::OutOfLimits);
 }
 
-std::optional<Rotation> quaternionAt(const FieldValue& message, const std::string& path)
-{
-    const auto part = [&](const char* member) {
-        return numberAt(message, path.empty() ? member : path + '.' + member);
-    };
-    const auto x = part("x"), y = part("y"), z = part("z"), w = part("w");
-    if (!x || !y || !z || !w) return std::nullopt;
-    const double length = *x * *x + *y * *y + *z * *z + *w * *w;
-    if (!(length > 1e-6 && length < 1e6)) return Rotation{};  // all zero: not measured
-    return rotationOf(*x, *y, *z, *w);
-}
-
-bool isEmpty(const Rotation& rotation)
-{
-    return rotation == Rotation{};
-}
-
 /// One field that is read into one series.
 struct FieldReader {
     const FieldSource* source = nullptr;
@@ -65,7 +44,7 @@ struct FieldReader {
 class SeriesReader {
 public:
     SeriesReader(Recording& recording, const Mapping& mapping, const RobotModel& robot)
-        : recording_(recording), mapping_(mapping), robot_(robot)
+        : recording_(recording), mapping_(mapping), robot_(robot), transforms_(mapping.maxGap)
     {
         for (std::size_t q = 0; q < kQuantities; ++q)
             if (mapping.fields[q]) addField(q);
@@ -75,11 +54,12 @@ public:
                                    .field = mapping.elements[side][e],
                                    .into = &series_.forces[side][e]});
         for (const FieldReader& reader : fields_) topics_.insert(reader.source->topic);
-        if (mapping.attitude) {
-            topics_.insert(mapping.attitude->source.topic);
-            if (!mapping.attitude->baseFrame.empty()) topics_.insert({"/tf_static", "/tf"});
-        }
+        if (mapping.attitude) topics_.insert(mapping.attitude->source.topic);
         if (mapping.odometry) topics_.insert(mapping.odometry->source.topic);
+        if (mapping.attitude && !mapping.attitude->baseFrame.empty())
+            wantTransforms({mapping.attitude->baseFrame});
+        if (mapping.odometry && mapping.odometry->isTransform())
+            wantTransforms({mapping.odometry->frame, mapping.odometry->baseFrame});
     }
 
     Result<RecordedSeries> read()
@@ -99,6 +79,12 @@ public:
     }
 
 private:
+    void wantTransforms(const std::vector<std::string>& frames)
+    {
+        topics_.insert({kFixedTransforms, kTransforms});
+        for (const std::string& frame : frames) transforms_.want(frame);
+    }
+
     void addField(std::size_t quantity)
     {
         FieldReader reader{.source = &*mapping_.fields[quantity],
@@ -142,6 +128,7 @@ private:
         }
         for (FieldReader& reader : fields_)
             if (reader.source->topic == topic) addValue(reader, *value, time);
+        recorded_ = message.time;
         addPoses(topic, *value, time);
         if (samples_ > kMaxSamples)
             return fileError(
@@ -185,17 +172,19 @@ private:
 
     void addPoses(const std::string& topic, const FieldValue& message, std::int64_t time)
     {
-        if (mapping_.attitude && topic == mapping_.attitude->source.topic)
+        transforms_.add(topic, message, recorded_);
+        if (mapping_.attitude && topic == mapping_.attitude->source.topic) {
+            if (attitude_.empty() && attitudeFrame_.empty()) {
+                attitudeFrame_ = textAt(message, "header.frame_id").value_or("");
+                transforms_.want(attitudeFrame_);
+            }
             addPose(attitude_, mapping_.attitude->source, mapping_.attitude->source.field, message,
                     time);
-        if (mapping_.attitude && attitudeFrame_.empty() && topic == mapping_.attitude->source.topic)
-            attitudeFrame_ = textAt(message, "header.frame_id").value_or("");
-        if (mapping_.odometry && topic == mapping_.odometry->source.topic)
+        }
+        if (mapping_.odometry && !mapping_.odometry->isTransform()
+            && topic == mapping_.odometry->source.topic)
             addPose(odometry_, mapping_.odometry->source, mapping_.odometry->orientation, message,
                     time);
-        if (mapping_.attitude && !mapping_.attitude->baseFrame.empty()
-            && (topic == "/tf_static" || topic == "/tf"))
-            transforms_.add(message);
     }
 
     void addPose(std::vector<PoseSample>& into, const FieldSource& source, const std::string& path,
@@ -204,14 +193,14 @@ private:
         const auto rotation = quaternionAt(message, path);
         if (!rotation) return;
         ++samples_;
-        PoseSample pose{.time = earlier(time, source.delay), .position = {}, .rotation = *rotation};
+        PoseSample pose{.time = earlier(time, source.delay),
+                        .stamp = earlier(stampOf(message).value_or(time), source.delay),
+                        .position = {},
+                        .rotation = *rotation};
         if (&into == &odometry_) {
-            constexpr std::array kAxes{".x", ".y", ".z"};
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto number = numberAt(message, source.field + kAxes[i]);
-                if (!number || !std::isfinite(*number)) return;
-                pose.position[i] = *number;
-            }
+            const auto position = positionAt(message, source.field);
+            if (!position) return;
+            pose.position = *position;
         }
         into.push_back(pose);
     }
@@ -271,7 +260,9 @@ private:
         if (mapping_.attitude && attitude_.empty())
             return fault(mapping_.attitude->source,
                          missing(mapping_.attitude->source, mapping_.attitude->source.field, 1));
-        if (mapping_.odometry && odometry_.empty() && !mapping_.odometry->source.isOptional)
+        if (mapping_.odometry && mapping_.odometry->isTransform()) findOdometry();
+        if (mapping_.odometry && !mapping_.odometry->isTransform() && odometry_.empty()
+            && !mapping_.odometry->source.isOptional)
             remark(mapping_.odometry->source,
                    missing(mapping_.odometry->source, mapping_.odometry->source.field, 1)
                        + "; the way counts as not measured");
@@ -304,11 +295,12 @@ private:
     {
         if (Status status = addAttitude(); !status) return status;
         makeEven();
-        addOdometry();
+        std::ranges::stable_sort(odometry_, {}, &PoseSample::time);
+        addWay(odometry_, series_);
         for (Series& series : series_.of) sort(series);
         for (auto& side : series_.forces)
             for (Series& series : side) sort(series);
-        integrateSpeed();
+        integrateSpeed(series_, mapping_.maxGap);
         return checkOverlap();
     }
 
@@ -330,70 +322,77 @@ private:
 
     static void sort(Series& series) { std::ranges::stable_sort(series, {}, &SeriesSample::time); }
 
+    /// Takes the poses of the base from transforms.
+    void findOdometry()
+    {
+        const OdometrySource& source = *mapping_.odometry;
+        const auto sent = sentPoses(transforms_, source, mapping_.byHeader);
+        if (!sent) {
+            if (!source.source.isOptional)
+                remark(source.source, sent.error().text + "; the way counts as not measured");
+            return;
+        }
+        if (sent->without > 0)
+            remark(source.source,
+                   fmt::format("{} of {} poses are left out: another transform of the chain has "
+                               "none around their time",
+                               sent->without, sent->without + sent->poses.size()));
+        odometry_ = samplesOf(*sent);
+        for (PoseSample& pose : odometry_) pose.time = earlier(pose.time, source.source.delay);
+        samples_ += odometry_.size();
+    }
+
+    /// Returns the rotation from the base to the sensor at a time; empty if transforms do not know it.
+    std::optional<Rotation> toSensorAt(std::int64_t stamp) const
+    {
+        const AttitudeSource& source = *mapping_.attitude;
+        if (source.baseFrame.empty())
+            return transposed(rotationOfAngles(source.mount[0], source.mount[1], source.mount[2]));
+        const auto mount = transforms_.at(source.baseFrame, attitudeFrame_, stamp);
+        if (!mount) return std::nullopt;
+        const Eigen::Quaterniond& q = mount->turn;
+        return transposed(rotationOf(q.x(), q.y(), q.z(), q.w()));
+    }
+
     Status addAttitude()
     {
         if (!mapping_.attitude) return Done{};
         const AttitudeSource& source = *mapping_.attitude;
-        Rotation mount = rotationOfAngles(source.mount[0], source.mount[1], source.mount[2]);
-        if (!source.baseFrame.empty()) {
-            const auto found = transforms_.rotation(source.baseFrame, attitudeFrame_);
-            if (!found)
-                return fault(
-                    source.source,
-                    fmt::format("/tf_static and /tf hold no transforms from {} to {}; give "
-                                "mount_rpy_deg instead of base_frame",
-                                shown(source.baseFrame), shown(attitudeFrame_)));
-            mount = *found;
-        }
-        const Rotation toSensor = transposed(mount);
-        std::uint64_t zeros = 0;
+        const std::string frames =
+            fmt::format("from {} to {}", shown(source.baseFrame), shown(attitudeFrame_));
+        if (!source.baseFrame.empty() && !transforms_.joins(source.baseFrame, attitudeFrame_))
+            return fault(source.source,
+                         fmt::format("/tf_static and /tf hold no transforms {}, but {}; give "
+                                     "mount_rpy_deg instead of base_frame",
+                                     frames, transforms_.links()));
+        std::uint64_t zeros = 0, unmounted = 0;
         for (const PoseSample& pose : attitude_) {
-            const bool isMeasured = !isEmpty(pose.rotation);
-            zeros += isMeasured ? 0 : 1;
+            const auto toSensor = toSensorAt(pose.stamp);
+            const bool isMeasured = pose.isMeasured() && toSensor;
+            zeros += pose.isMeasured() ? 0 : 1;
+            unmounted += toSensor ? 0 : 1;
             const BaseAngles angles =
-                isMeasured ? baseAngles(product(pose.rotation, toSensor)) : BaseAngles{};
+                isMeasured ? baseAngles(product(pose.rotation, *toSensor)) : BaseAngles{};
             store(series_.series(Quantity::Pitch), pose.time, angles.pitch, isMeasured);
             store(series_.series(Quantity::Roll), pose.time, angles.roll, isMeasured);
         }
         if (zeros == attitude_.size())
             return fault(source.source, "all quaternions are 0: the sensor gives no orientation");
+        if (unmounted == attitude_.size())
+            return fault(source.source,
+                         fmt::format("no transforms {} are near the times of its messages; look at "
+                                     "the clocks, or give mount_rpy_deg instead of base_frame",
+                                     frames));
         if (zeros > 0)
             remark(source.source, fmt::format("{} quaternions have no direction; they count as not "
                                               "measured",
                                               zeros));
+        if (unmounted > 0)
+            remark(source.source,
+                   fmt::format("{} messages have no transforms {} around their time; they count as "
+                               "not measured",
+                               unmounted, frames));
         return Done{};
-    }
-
-    void addOdometry()
-    {
-        std::ranges::stable_sort(odometry_, {}, &PoseSample::time);
-        double way = 0.0;
-        const PoseSample* before = nullptr;
-        for (const PoseSample& pose : odometry_) {
-            if (isEmpty(pose.rotation)) continue;
-            for (std::size_t i = 0; before && i < 3; ++i)
-                way += (pose.position[i] - before->position[i]) * before->rotation[i][0];
-            before = &pose;
-            store(series_.series(Quantity::Travelled), pose.time, way, true);
-            store(series_.series(Quantity::Turned), pose.time, baseAngles(pose.rotation).heading,
-                  true);
-        }
-    }
-
-    /// Trapezoidal rule; in a gap longer than maxGap the way is not known and stays.
-    void integrateSpeed()
-    {
-        double way = 0.0;
-        const SeriesSample* before = nullptr;
-        for (const SeriesSample& speed : series_.series(Quantity::Speed)) {
-            if (!speed.isMeasured) continue;
-            const double seconds =
-                before ? static_cast<double>(speed.time - before->time) * 1e-9 : 0.0;
-            if (before && seconds <= mapping_.maxGap)
-                way += 0.5 * (speed.value + before->value) * seconds;
-            before = &speed;
-            store(series_.series(Quantity::Travelled), speed.time, way, true);
-        }
     }
 
     /// Refuses topics whose clocks differ so much that their times do not overlap with those of pitch.
@@ -423,6 +422,7 @@ private:
     TopicDecoding decoding_;
     std::vector<PoseSample> attitude_, odometry_;
     std::string attitudeFrame_;
+    std::int64_t recorded_ = 0;  ///< [ns] time of the message that is read
     TransformTree transforms_;
     std::size_t samples_ = 0;
 };

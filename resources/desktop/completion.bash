@@ -155,7 +155,7 @@ _terratact_options() {
     "session import") echo --out --interface --robot ;;
     import) echo --mapping --robot --out --scenes --probe --check ;;
     truth) echo --scenes --poses --mapping --topic --robot --scans --session --start --run --out --support --sheet --review --decisions --pose-mount \
-      --sensor-mount --percentile --max-sd --align --max-speed --max-gap ;;
+      --sensor-mount --tf-base --percentile --max-sd --align --max-speed --max-gap ;;
     "") echo --version ;;
   esac
   echo --help

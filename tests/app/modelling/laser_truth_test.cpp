@@ -18,6 +18,7 @@
 #include "tests/support/mcap_bytes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/transform_text.h"
 
 namespace terratact {
 namespace {
@@ -164,7 +165,7 @@ std::vector<CloudPoint> seenFrom(const std::vector<CloudPoint>& points, const Cl
     std::vector<CloudPoint> seen;
     seen.reserve(points.size());
     for (const CloudPoint& p : points) {
-        const Eigen::Vector3d s = back.toCloud({p.x, p.y, p.z});
+        const Eigen::Vector3d s = back.toOther({p.x, p.y, p.z});
         seen.push_back({s.x(), s.y(), s.z()});
     }
     return seen;
@@ -178,7 +179,7 @@ TEST_F(LaserFiles, scansAreNamedByTheirTimes)
     for (int i = 0; i < 3; ++i)
         options.clouds.push_back(
             directory.write(fmt::format("scan_{:.2f}.pcd", kClock + i),
-                            pcdText(seenFrom(points, baseAt(i).with(options.sensorMount)))));
+                            pcdText(seenFrom(points, baseAt(i).with(*options.sensorMount)))));
     const auto truth = laserTruth(options);
     ASSERT_TRUE(truth) << truth.error().text;
     EXPECT_GT(truth->grid->ownPoints(), 0U) << "the floor below the robot is in its box";
@@ -189,11 +190,12 @@ TEST_F(LaserFiles, scansAreNamedByTheirTimes)
 }
 
 /// Returns a message of PointCloud2 in ROS 1 with x, y, z as floats behind four other bytes.
-std::string cloudMessageBytes(const std::vector<CloudPoint>& points, double stamp, bool cdr)
+std::string cloudMessageBytes(const std::vector<CloudPoint>& points, double stamp, bool cdr,
+                              std::string_view frame = "laser")
 {
     auto b = cdr ? MessageBytes::cdr() : MessageBytes::ros1();
     if (!cdr) b.add(std::uint32_t{7});
-    b.add(static_cast<std::uint32_t>(stamp)).add(std::uint32_t{0}).text("laser");
+    b.add(static_cast<std::uint32_t>(stamp)).add(std::uint32_t{0}).text(frame);
     b.add(std::uint32_t{1}).add(static_cast<std::uint32_t>(points.size())).add(std::uint32_t{3});
     for (const std::uint32_t k : {0U, 1U, 2U})
         b.text(std::string(1, "xyz"[k]))
@@ -231,6 +233,106 @@ TEST_F(LaserFiles, cloudsOfARecordingAreScans)
     options.topic = "/other";
     EXPECT_TRUE(
         refused(laserTruth(options), options.clouds[0], {"no message of topic /other", "/points"}));
+}
+
+/// A drive whose poses and scans come from transforms: map → base_link → mast → laser; the mast nods.
+struct TransformFiles : LaserFiles {
+    void SetUp() override
+    {
+        LaserFiles::SetUp();
+        mcap.schema(1, "sensor_msgs/msg/PointCloud2", "ros2msg", "uint8 unused")
+            .channel(1, 1, "/points", "cdr")
+            .channel(2, 0, "/tf", "json")
+            .channel(3, 0, "/tf_static", "json");
+        const CloudPose laser = *mountFrom("0.1 0 0.2 0 20 0");
+        mcap.message(3, 0, transformText("mast", "laser", laser, 0));
+        for (int i = 0; i < 3; ++i) {
+            const CloudPose mast = *mountFrom(fmt::format("0.1 0 0.2 0 {} 0", 5 * i));
+            const auto stamp = static_cast<std::int64_t>(kClock + i) * 1'000'000'000;
+            const auto time = static_cast<std::uint64_t>(stamp);
+            mcap.message(2, time, transformText("map", "base_link", baseAt(i), stamp));
+            mcap.message(2, time, transformText("base_link", "mast", mast, stamp));
+            mcap.message(1, time,
+                         cloudMessageBytes(seenFrom(points, baseAt(i).with(mast).with(laser)),
+                                           kClock + i, true));
+        }
+        options.topic = "/points";
+        options.limits.maxGap = 2.0;
+    }
+    void write()
+    {
+        options.clouds = {directory.write("drive.mcap", mcap.file())};
+        options.poses = options.clouds[0];
+        options.mapping =
+            directory.write("m.toml", "name = \"t\"\n[odometry]\nframe = \"" + map
+                                          + "\"\nbase_frame = \"base_link\"\n" + kPoseTables);
+    }
+
+    /// What every mapping needs; truth does not read it.
+    static constexpr const char* kPoseTables =
+        "[pitch]\ntopic = \"/a\"\nfield = \"p\"\n[front_left]\ntopic = \"/a\"\nfield = \"p\"\n"
+        "[front_right]\ntopic = \"/a\"\nfield = \"p\"\n[rear_left]\ntopic = \"/a\"\n"
+        "field = \"p\"\n[rear_right]\ntopic = \"/a\"\nfield = \"p\"\n";
+    McapBytes mcap;
+    std::string map = "map";
+};
+
+TEST_F(TransformFiles, transformsPlaceBaseAndSensor)
+{
+    write();
+    const auto truth = laserTruth(options);
+    ASSERT_TRUE(truth) << truth.error().text;
+    EXPECT_EQ(truth->points, 3 * points.size());
+    EXPECT_GT(truth->knownHeights(), 5U);
+    EXPECT_LT(worst(*truth), 0.022);
+}
+
+TEST_F(TransformFiles, posesOfAFileTakeOnlyTheSensorFromTransforms)
+{
+    const std::string poses = options.poses;
+    write();
+    options.poses = poses;
+    options.mapping.clear();
+    options.tfBase = "base_link";
+    const auto truth = laserTruth(options);
+    ASSERT_TRUE(truth) << truth.error().text;
+    EXPECT_GT(truth->knownHeights(), 5U);
+    EXPECT_LT(worst(*truth), 0.022);
+}
+
+TEST_F(TransformFiles, cloudsInTheFrameOfThePosesAreMaps)
+{
+    mcap.channel(4, 1, "/map_points", "cdr");
+    mcap.message(4, 9, cloudMessageBytes(points, 5.0, true, "map"));
+    write();
+    options.topic = "/map_points";
+    const auto truth = laserTruth(options);
+    ASSERT_TRUE(truth) << truth.error().text;
+    EXPECT_EQ(truth->knownHeights(), 66U);
+    EXPECT_LT(worst(*truth), 0.022);
+}
+
+TEST_F(TransformFiles, missingFramesAreTold)
+{
+    options.tfBase = "robot";
+    write();
+    EXPECT_TRUE(refused(laserTruth(options), options.clouds[0],
+                        {"topic /points", "no transforms from 'robot' to 'laser'", "mast → laser",
+                         "--sensor-mount"}));
+    map = "world";
+    write();
+    EXPECT_TRUE(refused(laserTruth(options), options.poses,
+                        {"no transforms from 'world' to 'base_link'", "[odometry]"}));
+}
+
+TEST_F(TransformFiles, cloudsOfAnotherClockAreTold)
+{
+    mcap.channel(4, 1, "/late", "cdr");
+    mcap.message(4, 9, cloudMessageBytes(points, kClock + 7200.0, true));
+    write();
+    options.topic = "/late";
+    EXPECT_TRUE(refused(laserTruth(options), options.clouds[0],
+                        {"topic /late", "1700007200.000", "no poses are known"}));
 }
 
 TEST(CloudMessages, sizesThatDisagreeAreRefused)

@@ -74,8 +74,8 @@ TEST_F(Poses, mountsAreSixNumbers)
 {
     const auto mount = mountFrom("0.1 0 0.5  0 0 90");
     ASSERT_TRUE(mount);
-    EXPECT_TRUE(mount->toCloud({1, 0, 0}).isApprox(Eigen::Vector3d(0.1, 1, 0.5), 1e-9));
-    EXPECT_TRUE(mount->inverse().toCloud({0.1, 1, 0.5}).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
+    EXPECT_TRUE(mount->toOther({1, 0, 0}).isApprox(Eigen::Vector3d(0.1, 1, 0.5), 1e-9));
+    EXPECT_TRUE(mount->inverse().toOther({0.1, 1, 0.5}).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
     for (const char* wrong : {"", "1 2 3", "1 2 3 4 5 nan", "1 2 3 4 5 6 7", "a b c d e f"})
         EXPECT_FALSE(mountFrom(wrong)) << wrong;
 }

@@ -4,18 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
-#include "core/bags/json_value.h"
 #include "core/mapping/telemetry_lines.h"
-#include "core/mapping/transform_tree.h"
 #include "tests/support/csv_mapping.h"
 #include "tests/support/mcap_bytes.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/transform_text.h"
 
 namespace terratact {
 namespace {
 
 constexpr std::uint64_t kSecond = 1'000'000'000;
+const Eigen::Quaterniond kNoTurn = Eigen::Quaterniond::Identity();
+const Eigen::Quaterniond kQuarterLeft(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5));
 
 struct SeriesFiles : testing::Test {
     Result<RecordedSeries> read(const std::string& content, const Mapping& mapping)
@@ -178,7 +180,8 @@ TEST_F(SeriesFiles, whatIsMissingIsNamed)
               std::string::npos);
     const std::string flat = R"({"x":0,"y":0,"z":0,"w":1})";
     EXPECT_NE(whyNot(robotFile(flat).file(), robotMapping("base_frame = \"world\"\n"))
-                  .find("hold no transforms from 'world' to 'imu'; give mount_rpy_deg"),
+                  .find("hold no transforms from 'world' to 'imu', but base → imu; give "
+                        "mount_rpy_deg"),
               std::string::npos);
     EXPECT_NE(whyNot(robotFile(flat, 7200 * kSecond).file(), robotMapping(""))
                   .find("topic /joints: its times end 7199.6 s after those of the pitch"),
@@ -264,20 +267,64 @@ TEST_F(SeriesFiles, timesContinueWhereTheClockWasSet)
     EXPECT_EQ(remarks.size(), 1U);
 }
 
-TEST(TransformTree, chainsAreFollowedBothWays)
+/// Returns a recording with the transforms map → odom → base_link, the latter moving ahead and to the left.
+McapBytes movingBase()
 {
-    TransformTree tree;
-    tree.add(*jsonValue(
-        R"({"transforms":[{"header":{"frame_id":"/base"},"child_frame_id":"arm","transform":{"rotation":{"x":0,"y":0,"z":1,"w":1}}},)"
-        R"({"header":{"frame_id":"arm"},"child_frame_id":"imu","transform":{"rotation":{"x":0,"y":0,"z":1,"w":1}}},)"
-        R"({"header":{"frame_id":"a"},"child_frame_id":"b","transform":{"rotation":{"x":0,"y":0,"z":0,"w":1}}},)"
-        R"({"header":{"frame_id":"b"},"child_frame_id":"a","transform":{"rotation":{"x":0,"y":0,"z":0,"w":1}}}]})"));
-    const auto half = tree.rotation("base", "imu");
-    ASSERT_TRUE(half);
-    EXPECT_NEAR((*half)[0][0], -1.0, 1e-12);
-    EXPECT_NEAR((*tree.rotation("imu", "arm"))[1][0], -1.0, 1e-12);
-    EXPECT_FALSE(tree.rotation("base", "other"));
-    tree.rotation("a", "imu");  // a loop ends
+    McapBytes mcap = SeriesFiles::robotFile(R"({"x":0,"y":0,"z":0,"w":1})");
+    mcap.channel(4, 0, "/tf", "json");
+    mcap.message(3, kSecond, transformText("map", "odom", {{5, 0, 0}, kQuarterLeft}, 0));
+    for (std::int64_t i = 0; i <= 5; ++i)
+        mcap.message(4, static_cast<std::uint64_t>(i + 1) * kSecond / 10,
+                     transformText("odom", "base_link",
+                                   {{0.1 * static_cast<double>(i), 0, 0}, kNoTurn},
+                                   9'000'000'000 + i * 100'000'000));
+    return mcap;
+}
+constexpr const char* kTfOdometry = "[odometry]\nframe = \"map\"\nbase_frame = \"base_link\"\n";
+
+TEST_F(SeriesFiles, transformsGiveWayAndHeading)
+{
+    const auto found = lines(movingBase().file(), robotMapping("", kTfOdometry));
+    ASSERT_EQ(found.size(), 5U);
+    EXPECT_NEAR(*found[0].measurement.travelled, 0.0, 1e-9) << "recorded at 0.1 s";
+    EXPECT_NEAR(*found[4].measurement.travelled, 0.4, 1e-9);
+    EXPECT_NEAR(*found[4].measurement.turned, std::numbers::pi / 2.0, 1e-9);
+    EXPECT_TRUE(remarks.empty()) << remarks.front();
+}
+
+TEST_F(SeriesFiles, framesThatAreMissingAreTold)
+{
+    const auto found =
+        lines(movingBase().file(),
+              robotMapping("", "[odometry]\nframe = \"world\"\nbase_frame = \"base_link\"\n"));
+    ASSERT_EQ(found.size(), 5U);
+    EXPECT_FALSE(found[0].measurement.travelled);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_EQ(remarks[0],
+              "topic /tf, [odometry]: /tf_static and /tf hold no transforms from 'world' to "
+              "'base_link', but odom → base_link, base → imu, map → odom; correct frame and "
+              "base_frame of [odometry]; the way counts as not measured");
+}
+
+TEST_F(SeriesFiles, anImuOnAMovingPartIsMountedAtEachTime)
+{
+    McapBytes mcap = robotFile(R"({"x":0,"y":0,"z":0,"w":1})");
+    mcap.channel(4, 0, "/tf", "json");
+    for (std::int64_t i = 1; i <= 3; ++i)
+        mcap.message(4, 0,
+                     transformText("part", "base",
+                                   {{0, 0, 0},
+                                    Eigen::Quaterniond(Eigen::AngleAxisd(
+                                        0.1 * static_cast<double>(i), Eigen::Vector3d::UnitY()))},
+                                   i * 100'000'000));
+    const auto found = lines(mcap.file(), robotMapping("base_frame = \"part\"\n"));
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_NEAR(found[0].measurement.pitch, 0.1, 1e-9);
+    EXPECT_NEAR(found[2].measurement.pitch, 0.3, 1e-9);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("2 messages have no transforms from 'part' to 'imu'"),
+              std::string::npos)
+        << remarks[0];
 }
 
 }  // namespace
