@@ -1,6 +1,7 @@
 // The drive strip of the terrain page, and the contacts in the picture.
 #include <cmath>
 
+#include "app/display/drive_text.h"
 #include "app/display/place_text.h"
 #include "app/pages/terrain_page.h"
 #include "core/limits.h"
@@ -97,11 +98,16 @@ void TerrainPage::showDrive(const TerrainViewState& viewState)
     const auto levelOf = [](const std::optional<DriveViewState::Angle>& angle) {
         return angle ? std::optional(angle->level) : std::nullopt;
     };
+    const auto moves = [](const std::optional<double>& speed) {
+        return speed ? std::optional(DriveText::speed(*speed) != DriveText::speed(0.0))
+                     : std::nullopt;
+    };
     const bool isOther =
         levelOf(drive.pitch) != levelOf(shown.pitch) || levelOf(drive.roll) != levelOf(shown.roll)
+        || moves(drive.speed) != moves(shown.speed)
         || drive.way.has_value() != shown.way.has_value()
         || drive.feltTo.has_value() != shown.feltTo.has_value() || drive.feltEnds != shown.feltEnds;
-    // Slow enough to read. A contact, a new estimate and the end of felt ground are shown at once.
+    // Slow enough to read. A contact, a stop, a new estimate and the end of felt ground are shown at once.
     if (!viewState.numbersDue && !isOther) {
         const std::optional<FlipperContacts> contact = drive.contact;
         drive = shown;

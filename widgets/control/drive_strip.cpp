@@ -34,7 +34,7 @@ QString tipOf(DriveStrip::Cell cell)
         return DriveStrip::tr(
             "The element of each flipper that touches the ground hardest: its side "
             "and its number, 1 (pivot) to 6 (tip)");
-    case DriveStrip::Speed: return DriveStrip::tr("Along the tracks, over the last half second");
+    case DriveStrip::Speed: return DriveStrip::tr("Along the tracks, over the last 0.3 s");
     case DriveStrip::Way: return DriveStrip::tr("Distance rolled since the last estimate");
     case DriveStrip::FeltTo:
         return DriveStrip::tr(

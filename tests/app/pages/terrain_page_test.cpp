@@ -14,9 +14,11 @@
 #include "app/pages/side_keys.h"
 #include "app/shell/key_table.h"
 #include "core/infer/verdict/verdict.h"
+#include "core/limits.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/terrain/estimate_strip.h"
 #include "widgets/terrain/rear_view.h"
@@ -102,6 +104,29 @@ TEST(TerrainPageAlone, showsMovingFlippersOnlyWhileTheyMove)
     EXPECT_EQ(computing.count("flippers still move"), 0) << computing.toStdString();
     EXPECT_EQ(computing.count("estimate is being computed"), 2) << computing.toStdString();
     EXPECT_FALSE(computing.contains("LIVE"));
+}
+
+TEST(TerrainPageAlone, theSpeedOfAStoppedRobotIsZero)
+{
+    TerrainPage page(absolem());
+    Measurement m;
+    std::uint64_t lines = 0;
+    const auto says = [&](double way, bool due, double age = 0.0) {
+        m.time += 0.05;
+        m.travelled = way;
+        TerrainViewState viewState;
+        viewState.measurement = &m;
+        viewState.count = ++lines;
+        viewState.numbersDue = due;
+        viewState.age = age;
+        page.setViewState(viewState);
+        return page.driveStrip()->text(DriveStrip::Speed);
+    };
+    for (int i = 0; i < 10; ++i) says(0.04 * i, true);
+    EXPECT_EQ(says(0.4, true), "+0.80 m/s");
+    EXPECT_NE(says(0.4, false), "+0.00 m/s") << "it may still creep";
+    EXPECT_EQ(says(0.4, false), "+0.00 m/s") << "at once, though numbers are not due";
+    EXPECT_EQ(says(0.4, false, kStaleAfter + 0.01), "--") << "stale is not zero";
 }
 
 /// Returns a line of telemetry with the left side up.

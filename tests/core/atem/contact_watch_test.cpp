@@ -193,7 +193,7 @@ Measurement at(double time, std::optional<double> way)
     return m;
 }
 
-TEST(SpeedMeter, isTheWayOfTheLastHalfSecond)
+TEST(SpeedMeter, isTheWayOfTheWindow)
 {
     SpeedMeter meter;
     EXPECT_FALSE(meter.speed());
@@ -202,9 +202,43 @@ TEST(SpeedMeter, isTheWayOfTheLastHalfSecond)
     for (int i = 1; i <= 20; ++i) meter.add(at(0.05 * i, 1.0 + 0.01 * i));
     EXPECT_NEAR(*meter.speed(), 0.2, 1e-9);
     for (int i = 21; i <= 40; ++i) meter.add(at(0.05 * i, 1.2));
-    EXPECT_NEAR(*meter.speed(), 0.0, 1e-9) << "it stands";
+    EXPECT_EQ(*meter.speed(), 0.0) << "it stands";
     for (int i = 41; i <= 60; ++i) meter.add(at(0.05 * i, 1.2 - 0.005 * (i - 40)));
     EXPECT_NEAR(*meter.speed(), -0.1, 1e-9);
+}
+
+TEST(SpeedMeter, isZeroSoonAfterTheRobotStops)
+{
+    SpeedMeter meter;
+    for (int i = 0; i <= 20; ++i) meter.add(at(0.05 * i, 0.042 * i));
+    const double stopped = 1.0;
+    for (int i = 1; i <= 3; ++i) meter.add(at(stopped + 0.05 * i, 0.84));
+    EXPECT_EQ(*meter.speed(), 0.0);
+    meter.add(at(stopped + 0.2, 0.86));
+    EXPECT_LE(*meter.speed(), 0.2) << "the drive before the stop does not count";
+}
+
+TEST(SpeedMeter, readsSlowDrivesOfOdometryInSteps)
+{
+    SpeedMeter meter;  // 0.03 m/s, 1 mm a step, 100 lines a second
+    for (int i = 0; i <= 300; ++i) {
+        meter.add(at(0.01 * i, std::floor(0.3 * i) * 1e-3));
+        if (i >= 30) {
+            EXPECT_NEAR(*meter.speed(), 0.03, 0.005) << i;
+        }
+    }
+}
+
+TEST(SpeedMeter, aResetOfTheOdometryIsNoSpeed)
+{
+    SpeedMeter meter;
+    for (int i = 0; i <= 10; ++i) meter.add(at(0.05 * i, 7.0 + 0.01 * i));
+    meter.add(at(0.55, 0.0));
+    EXPECT_FALSE(meter.speed());
+    meter.add(at(0.6, 0.01));
+    EXPECT_NEAR(*meter.speed(), 0.2, 1e-9);
+    meter.add(at(0.65, std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_FALSE(meter.speed());
 }
 
 TEST(SpeedMeter, beginsAnewWithoutOdometryAndAfterSilence)
