@@ -57,7 +57,7 @@ Probes and hazards act as in `local`. A scene without a history, or without a cu
 `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
 
 The console uses `trail` by default where the way before a scene is known; otherwise `local` estimates. The line above the
-picture says how much is remembered, such as "memory: 1.20 m, presses: 4", or why nothing is: the way begins there, no odometry, lost
+picture says how much is remembered, such as "memory: 1.20 m · earlier presses: 4", or why nothing is: the way begins there, no odometry, lost
 telemetry, a turn, a suspected odometry or pitch, cleared ground, a current or a force that was not measured, or a model without networks.
 The networks are the file beside the model, with the ending `.ttn`. The shipped ones serve robots with Absolem's shape. Sessions record the
 history of each scene ([sessions.md](sessions.md#memory-of-the-way)). The review and `session what-if` repeat the estimates bit for bit.

@@ -9,8 +9,10 @@ namespace {
 
 Message remembered(const TrailHistory& memory)
 {
-    return {TR_NOOP("terratact::Estimation", "memory: %1 m, presses: %2"),
-            verbatim(format::number(memory.way, 2)), memory.presses};
+    const Message way = verbatim(format::number(memory.way, 2));
+    if (memory.presses == 0) return {TR_NOOP("terratact::Estimation", "memory: %1 m"), way};
+    return {TR_NOOP("terratact::Estimation", "memory: %1 m · earlier presses: %2"), way,
+            memory.presses};
 }
 
 }  // namespace

@@ -6347,10 +6347,6 @@ F1</translation>
         <translation>Prvek každého flipperu, který se terénu dotýká nejsilněji: jeho strana a číslo, 1 (čep) až 6 (špička)</translation>
     </message>
     <message>
-        <source>Along the tracks, over the last half second</source>
-        <translation>Podél pásů, za poslední půlsekundu</translation>
-    </message>
-    <message>
         <source>Distance rolled since the last estimate</source>
         <translation>Ujetá vzdálenost od posledního odhadu</translation>
     </message>
@@ -6373,6 +6369,10 @@ F1</translation>
     <message>
         <source>not known</source>
         <translation>není známo</translation>
+    </message>
+    <message>
+        <source>Along the tracks, over the last 0.3 s</source>
+        <translation>Podél pásů, za posledních 0,3 s</translation>
     </message>
 </context>
 <context>
@@ -6481,10 +6481,6 @@ F1</translation>
         <translation>Bez zapamatovaného terénu, dokud chybí telemetrie</translation>
     </message>
     <message>
-        <source>memory: %1 m, presses: %2</source>
-        <translation>paměť: %1 m, přítlaky: %2</translation>
-    </message>
-    <message>
         <source>no memory: %1</source>
         <translation>bez paměti: %1</translation>
     </message>
@@ -6519,6 +6515,14 @@ F1</translation>
     <message>
         <source>the model has no networks for it</source>
         <translation>model k ní nemá sítě</translation>
+    </message>
+    <message>
+        <source>memory: %1 m</source>
+        <translation>paměť: %1 m</translation>
+    </message>
+    <message>
+        <source>memory: %1 m · earlier presses: %2</source>
+        <translation>paměť: %1 m · dřívější přítlaky: %2</translation>
     </message>
 </context>
 <context>

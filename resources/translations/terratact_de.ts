@@ -6347,10 +6347,6 @@ F1</translation>
         <translation>Das Element jedes Flippers, das den Boden am stärksten berührt: Seite und Nummer, 1 (Drehachse) bis 6 (Spitze)</translation>
     </message>
     <message>
-        <source>Along the tracks, over the last half second</source>
-        <translation>Entlang der Ketten, über die letzte halbe Sekunde</translation>
-    </message>
-    <message>
         <source>Distance rolled since the last estimate</source>
         <translation>Gefahrene Strecke seit der letzten Schätzung</translation>
     </message>
@@ -6373,6 +6369,10 @@ F1</translation>
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Along the tracks, over the last 0.3 s</source>
+        <translation>Entlang der Ketten, über die letzten 0,3 s</translation>
     </message>
 </context>
 <context>
@@ -6481,10 +6481,6 @@ F1</translation>
         <translation>Kein gemerkter Boden, solange Telemetrie fehlt</translation>
     </message>
     <message>
-        <source>memory: %1 m, presses: %2</source>
-        <translation>Gedächtnis: %1 m, Drücke: %2</translation>
-    </message>
-    <message>
         <source>no memory: %1</source>
         <translation>kein Gedächtnis: %1</translation>
     </message>
@@ -6519,6 +6515,14 @@ F1</translation>
     <message>
         <source>the model has no networks for it</source>
         <translation>das Modell hat keine Netze dafür</translation>
+    </message>
+    <message>
+        <source>memory: %1 m</source>
+        <translation>Gedächtnis: %1 m</translation>
+    </message>
+    <message>
+        <source>memory: %1 m · earlier presses: %2</source>
+        <translation>Gedächtnis: %1 m · frühere Drücke: %2</translation>
     </message>
 </context>
 <context>

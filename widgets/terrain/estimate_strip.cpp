@@ -151,9 +151,13 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     const QString ended = endingWords(estimate.ending);
     QString all = ended.isEmpty() ? made : made + dot + ended;
     const QString shown = estimate.ending == Ending::Time ? all : made;
-    detailTexts_ = memory.isEmpty()
-                     ? QStringList{shown}
-                     : QStringList{shown + dot + memory, method + dot + memory, method};
+    detailTexts_ = {shown};
+    if (!memory.isEmpty()) {
+        const QString onlyWay = memory.section(dot, 0, 0);
+        detailTexts_ = {shown + dot + memory, method + dot + memory, method + dot + onlyWay,
+                        method};
+        detailTexts_.removeDuplicates();
+    }
     if (!memory.isEmpty()) all += dot + memory;
     for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
         setTip(*label, all);
@@ -207,10 +211,12 @@ void EstimateStrip::arrange()
     const auto fitting = std::ranges::find_if(detailTexts_, fits);
     const bool isRoom = fitting != detailTexts_.end();
     QString text = isRoom ? *fitting : detailTexts_.value(0);
-    // Better the begin of what is remembered than the method alone.
+    // Better the begin of a reason that nothing is remembered than the method alone. A number is never cut.
     const bool isAlone = isRoom && detailTexts_.size() > 1 && text == detailTexts_.last();
-    if (isAlone && fits(text + QStringLiteral(" · no memory: …")))
-        text = metrics.elidedText(detailTexts_.at(detailTexts_.size() - 2), Qt::ElideRight, room);
+    const QString longer = isAlone ? detailTexts_.at(detailTexts_.size() - 2) : QString();
+    const QString cut = text + QStringLiteral(" · no memory: …");
+    const bool isReason = metrics.size(0, longer).width() > 5 * metrics.size(0, cut).width() / 4;
+    if (isReason && fits(cut)) text = metrics.elidedText(longer, Qt::ElideRight, room);
     if (details_->text() != text) details_->setText(text);
     details_->setVisible(progress_->isHidden() && isRoom);
     arranges_ = false;

@@ -64,7 +64,8 @@ TEST_F(OneGround, ADriveIsRemembered)
     driveBy(0.4);
     driveBy(0.6);
     ASSERT_TRUE(explore()) << eventText();
-    EXPECT_EQ(memory(), "memory: 1.20 m, presses: 1") << "the other press lies too far behind";
+    EXPECT_EQ(memory(), "memory: 1.20 m · earlier presses: 1")
+        << "the other press lies too far behind";
     EXPECT_EQ(eventText().find("begins anew"), std::string::npos) << eventText();
 }
 

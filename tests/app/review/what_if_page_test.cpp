@@ -62,7 +62,8 @@ TEST_F(ReviewOf, anEstimateWithAMemoryIsRepeatedBitForBit)
     ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("bit for bit"))
         << page.result()->text().toStdString();
-    EXPECT_TRUE(window->terrainPage()->strip()->details().contains("memory: 0.75 m, presses: 3"))
+    EXPECT_TRUE(
+        window->terrainPage()->strip()->details().contains("memory: 0.75 m · earlier presses: 3"))
         << window->terrainPage()->strip()->details().toStdString();
 
     window->goTo(2.5);

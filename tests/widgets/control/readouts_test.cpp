@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -351,18 +352,25 @@ TEST_F(Strip, saysWhatOfTheWayIsRemembered)
     e.settings.method = Method::Trail;
     strip.resize(1200, 40);
     strip.show();
-    strip.setEstimate(e, 0.1, "memory: 0.40 m, presses: 1");
+    strip.setEstimate(e, 0.1, "memory: 0.40 m · earlier presses: 1");
     EXPECT_TRUE(strip.details().startsWith("trail")) << strip.details().toStdString();
-    EXPECT_TRUE(strip.details().endsWith("100 ms · memory: 0.40 m, presses: 1"));
+    EXPECT_TRUE(strip.details().endsWith("100 ms · memory: 0.40 m · earlier presses: 1"));
     QStringList shorter;
     for (int width = 1200; width > 100; width -= 4) {
         strip.resize(width, 40);
         if (shorter.isEmpty() || shorter.last() != strip.details()) shorter << strip.details();
     }
-    EXPECT_EQ(shorter.value(1), "trail · memory: 0.40 m, presses: 1");
-    EXPECT_TRUE(shorter.value(2).startsWith("trail · memory: 0")) << "elided";
-    EXPECT_TRUE(shorter.value(2).endsWith("…")) << shorter.value(2).toStdString();
-    EXPECT_TRUE(shorter.contains("trail"));
+    EXPECT_EQ(shorter.value(1), "trail · memory: 0.40 m · earlier presses: 1");
+    EXPECT_EQ(shorter.value(2), "trail · memory: 0.40 m");
+    EXPECT_EQ(shorter.value(3), "trail") << "a number is never cut";
+    strip.resize(1200, 40);
+    strip.setEstimate(e, 0.1, "no memory: the robot reports no odometry");
+    shorter.clear();
+    for (int width = 1200; width > 100; width -= 4) {
+        strip.resize(width, 40);
+        shorter << strip.details();
+    }
+    EXPECT_FALSE(shorter.filter(QRegularExpression("^trail · no memory: the.*…$")).isEmpty());
     strip.resize(1200, 40);
     EXPECT_TRUE(strip.details().contains("100 ms"));
     strip.setEstimate(e, 0.1);
