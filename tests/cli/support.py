@@ -27,11 +27,16 @@ def complaint(*arguments, code=1):
     return done.stderr
 
 
-def needs_no_sanitizer(test, why="a sanitizer needs the address space"):
-    """Skips a test of little memory, or of a long computation, if the program was built with a sanitizer."""
+def sanitized():
+    """Whether the program was built with a sanitizer, which needs more address space than this."""
     done = subprocess.run(["bash", "-c", 'ulimit -v 1000000; exec "$@"', "-", CLI, "--version"], capture_output=True,
                           timeout=300, check=False)
-    if done.returncode != 0:
+    return done.returncode != 0
+
+
+def needs_no_sanitizer(test, why="a sanitizer needs the address space"):
+    """Skips a test of little memory, or of a long computation, if the program was built with a sanitizer."""
+    if sanitized():
         test.skipTest(why)
 
 

@@ -76,10 +76,10 @@ const TrailData& smallTrail()
 {
     static const TrailData data = [] {
         std::vector<DriveLines> plane, sides;
-        plane.reserve(21);
-        sides.reserve(21);
-        for (std::uint64_t k = 0; k < 21; ++k) plane.push_back(driveOnPlane(k));
-        for (std::uint64_t k = 0; k < 21; ++k) sides.push_back(driveOnSides(k));
+        plane.reserve(11);
+        sides.reserve(11);
+        for (std::uint64_t k = 0; k < 11; ++k) plane.push_back(driveOnPlane(k));
+        for (std::uint64_t k = 0; k < 11; ++k) sides.push_back(driveOnSides(k));
         TrailData trail;
         trail.plane = trainTrail(trailRows(plane, 0, absolem(), false, 1), false, quick());
         trail.side = trainTrail(trailRows(sides, 0, absolem(), true, 1), true, quick());
