@@ -30,7 +30,7 @@ declare -A packages=(
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev libsdl2-dev make bzip2 fonts-dejavu-core"
   [unit]="libgtest-dev librapidcheck-dev libbenchmark-dev python3"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
-          python3-can python3-rosbag python3-sensor-msgs python3-nav-msgs can-utils sqlite3 parallel xvfb xauth xdotool
+          python3-can python3-rosbag python3-sensor-msgs python3-nav-msgs pcl-tools can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
   [tidy]="clang clang-tidy clang-format lld git"
   [package]="dpkg-dev file gzip"

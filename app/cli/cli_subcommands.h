@@ -15,6 +15,8 @@ using Job = std::function<Status()>;
 // Each function adds subcommands, in the order of the help. A subcommand owns its options. CLI11 calls its callback if
 // the arguments name it; the callback sets the job.
 
+/// Adds simulate.
+void addSimulate(CLI::App& app, Job& job);
 /// Adds simulate, train, reconstruct, evaluate, hazards, strip, feel-forward, merge, tradeoff. words: arguments after the program's name;
 /// models and parts store them.
 void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words);

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/modelling/model_cards.h"
 #include "app/modelling/model_conditions.h"
+#include "app/modelling/scene_mixing.h"
 #include "app/runtime/print_text.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/learn/data/scene_file.h"
@@ -117,6 +118,7 @@ void printCard(const ModelFacts& facts)
               "{:.2f} m\n",
               known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
               kStepLimit, facts.ground.relief);
+    if (facts.card.mix) printText("{}", Lines(mixText(*facts.card.mix)));
     if (facts.card.scores.empty())
         printText("errors   unknown; `terratact evaluate --card` finds them\n");
     for (const CardScores& s : facts.card.scores)

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "app/modelling/model_cards.h"
 #include "app/modelling/model_conditions.h"
 #include "app/modelling/model_training.h"
+#include "app/modelling/scene_mixing.h"
 #include "app/modelling/trail_learning.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
@@ -69,27 +71,29 @@ std::string nameOfAll(const std::vector<std::string>& files)
                              : fmt::format("{} and {} more", files.front(), files.size() - 1);
 }
 
-Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot)
+Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot,
+                               std::optional<CardMix>& chosen)
 {
     StageProgress stages;
-    return trainModel({.robot = robot,
-                       .data = options.data.empty() ? "" : options.data.front(),
-                       .moreData = others(options.data),
-                       .tracks = options.tracks.empty() ? "" : options.tracks.front(),
-                       .moreTracks = others(options.tracks),
-                       .plane = options.plane,
-                       .scannerSd = options.scannerSd,
-                       .conditionalRows = options.conditionalRows,
-                       .inducing = options.inducing,
-                       .commandLine = options.commandLine,
-                       .seed = options.seed,
-                       .bins = options.bins},
-                      {.cancelled = {},
-                       .progress = [&](const TrainingStep& step) { stages.show(step); },
-                       .notice =
-                           [](const Message& notice) {
-                               printText(stderr, "terratact: {}\n", notice.english());
-                           }});
+    return trainModel(
+        {.robot = robot,
+         .data = options.data.empty() ? "" : options.data.front(),
+         .moreData = others(options.data),
+         .tracks = options.tracks.empty() ? "" : options.tracks.front(),
+         .moreTracks = others(options.tracks),
+         .generated = options.generated,
+         .plane = options.plane,
+         .scannerSd = options.scannerSd,
+         .conditionalRows = options.conditionalRows,
+         .inducing = options.inducing,
+         .commandLine = options.commandLine,
+         .seed = options.seed,
+         .bins = options.bins},
+        {.cancelled = {},
+         .progress = [&](const TrainingStep& step) { stages.show(step); },
+         .notice =
+             [](const Message& notice) { printText(stderr, "terratact: {}\n", notice.english()); },
+         .mix = [&](const CardMix& mix) { chosen = mix; }});
 }
 
 Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)
@@ -146,13 +150,15 @@ Status train(const TrainOptions& options)
     if (!robot) return robot.error();
     if (!options.drives.empty() || !options.trackDrives.empty())
         return trainTrailNetworks(options, *robot);
-    auto model = trainVisibly(options, *robot);
+    std::optional<CardMix> mix;
+    auto model = trainVisibly(options, *robot, mix);
     if (!model) return model.error();
     if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));
     if (Status written = writeModel(options.out, *model); !written) return written;
-    if (Status card = writeNewCard(options.out, *model, nameOfAll(options.data)); !card)
+    if (Status card = writeNewCard(options.out, *model, nameOfAll(options.data), mix); !card)
         return card;
     printModel(*model, options.out);
+    if (mix) printText("{}", Lines(mixText(*mix)));
     return Done{};
 }
 

@@ -60,7 +60,8 @@ struct TrainOptions {
     std::string robot, out;
     std::vector<std::string> data;  ///< scenes of one plane, in one or several files
     std::vector<std::string>
-        tracks;              ///< scenes of two tracks; empty: the model learns one plane only
+        tracks;  ///< scenes of two tracks; empty: the model learns one plane only
+    std::vector<std::string> generated;  ///< mixed to `tracks` by held-out error
     std::string plane;       ///< model that is kept instead of training on `data`; empty: none
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;

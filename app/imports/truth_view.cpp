@@ -51,25 +51,15 @@ public:
         painter_.fillRect(area_, theme().card);
         for (int k = -4; k <= 4; ++k) {
             const double x = kGridStep * k;
-            painter_.setPen(QPen(theme().grid, 1.0));
-            painter_.drawLine(at(x, kSliceTop), at(x, kSliceBottom));
-            painter_.setPen(theme().muted);
             const QString label = text(x);
-            painter_.drawText(
-                at(x, kSliceBottom)
-                    + QPointF(-0.5 * letters.horizontalAdvance(label), letters.ascent() + 2.0),
-                label);
+            drawLine(at(x, kSliceTop), at(x, kSliceBottom), label,
+                     {-0.5 * letters.horizontalAdvance(label), letters.ascent() + 2.0});
         }
         for (int k = -4; k <= 2; ++k) {
             const double z = kGridStep * k;
-            painter_.setPen(QPen(theme().grid, 1.0));
-            painter_.drawLine(at(kSliceRear, z), at(kSliceFront, z));
-            painter_.setPen(theme().muted);
             const QString label = text(z);
-            painter_.drawText(
-                at(kSliceRear, z)
-                    + QPointF(-letters.horizontalAdvance(label) - 4.0, 0.35 * letters.ascent()),
-                label);
+            drawLine(at(kSliceFront, z), at(kSliceRear, z), label,
+                     {-letters.horizontalAdvance(label) - 4.0, 0.35 * letters.ascent()});
         }
     }
 
@@ -131,6 +121,16 @@ public:
     }
 
 private:
+    /// Draws a line of the grid, and its label beside its end.
+    void drawLine(const QPointF& from, const QPointF& to, const QString& label,
+                  const QPointF& beside)
+    {
+        painter_.setPen(QPen(theme().grid, 1.0));
+        painter_.drawLine(from, to);
+        painter_.setPen(theme().muted);
+        painter_.drawText(to + beside, label);
+    }
+
     QPainter& painter_;
     QRectF area_;
     double scale_ = 1.0;  ///< [px/m]

@@ -64,12 +64,13 @@ std::string dateOfToday()
 }
 
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
-                    const std::string& dataPath)
+                    const std::string& dataPath, const std::optional<CardMix>& mix)
 {
     return writeModelCard(modelPath,
                           {.model = contentHash(model),
                            .trained = dateOfToday(),
                            .terrain = dataPath.empty() ? std::string() : nameOf(dataPath),
+                           .mix = mix,
                            .scores = {}});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -30,7 +31,7 @@ std::string dateOfToday();
 
 /// Writes the card of a new model. dataPath: its training scenes; empty if unknown.
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
-                    const std::string& dataPath);
+                    const std::string& dataPath, const std::optional<CardMix>& mix = {});
 
 /// Adds scores to the model's card, or creates the card. It fills in date (today), data (file name of dataPath) and
 /// dataHash (hash of the scenes as read).

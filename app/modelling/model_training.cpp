@@ -10,7 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/modelling/scene_mixing.h"
+#include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/parallel.h"
+#include "core/infer/estimator.h"
 #include "core/infer/sampling/watch.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
@@ -28,6 +31,7 @@ namespace terratact {
 namespace {
 
 constexpr int kRowsOfSurfaceSearch = 800;
+constexpr int kRowsOfMixSearch = 300;  // of models that are only compared
 
 /// Returns the approximate cost of a hyperparameter search over `rows` rows; every likelihood needs a factorisation.
 double searchCost(Eigen::Index rows, const TrainingOptions& options)
@@ -62,6 +66,9 @@ public:
                + 2.0 * costOf(TrainingKind::SurfaceOpen) + 2.0 * costOf(TrainingKind::ClearanceOpen)
                + (model.hasSides() ? 2.0 * costOf(TrainingKind::SideOpen) : 0.0));
     }
+
+    /// Searches hyper-parameters of surfaces on at most so many rows.
+    void searchSurfacesOn(int rows) { surface_.subset = rows; }
 
     void run()
     {
@@ -247,18 +254,21 @@ Result<ScenesRead<TwoTrackScene>> readTracksAndHash(const std::string& path)
                                      *std::move(hash)};
 }
 
-/// Reads scenes of all files, which may have other columns each.
+/// Reads scenes of all files, which may have other columns each. begins: gets the first scene of each file.
 template <class Read, class Report>
 auto readTogether(const std::string& first, const std::vector<std::string>& more, Read read,
-                  const Report& report) -> decltype(read(first))
+                  const Report& report, std::vector<std::size_t>* begins = nullptr)
+    -> decltype(read(first))
 {
     auto all = read(first);
     if (!all) return all;
+    if (begins) begins->assign(1, 0);
     for (const Message& notice : all->notices) report(notice);
     for (const std::string& path : more) {
         auto next = read(path);
         if (!next) return next;
         for (const Message& notice : next->notices) report(notice);
+        if (begins) begins->push_back(all->scenes.size());
         all->scenes.insert(all->scenes.end(), next->scenes.begin(), next->scenes.end());
         all->hash += next->hash;
     }
@@ -319,29 +329,87 @@ Result<ModelData> readPlane(const TrainingPlan& plan)
     return model;
 }
 
-/// Adds the rows of both sides to the model.
-Status readSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData& model)
+/// Stores the rows of both sides in the model. Throws std::invalid_argument if there are too few.
+void setSides(ModelData& model, const std::vector<TwoTrackScene>& scenes,
+              const TrainingWatch& watch)
 {
     const auto report = [&](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
-    const auto file = readTogether(plan.tracks, plan.moreTracks, readTracksAndHash, report);
-    if (!file) return file.error();
+    SideTrainingSet set = prepareSides(scenes);
+    if (set.leftOut > 0)
+        report({TR_NOOP("core", "%1 scenes of two tracks left out: a reading or all heights "
+                                "are unknown, or there are more than %2"),
+                set.leftOut, kMaxSideScenes});
+    if (set.withHoles > 0)
+        report({TR_NOOP("core", "%1 scenes of two tracks have unknown heights: their known "
+                                "bins are learnt"),
+                set.withHoles});
+    model.sides = std::move(set.rows);
+}
+
+/// Judges mixes by models of two tracks: method local, bins −0.3 … 0.5 m of both sides.
+class SideJudge {
+public:
+    SideJudge(const ModelData& plane, const TrainingPlan& plan, const TrainingWatch& watch)
+        : plan_(plan), model_(plane)
+    {
+        plan_.plane = "kept";
+        watch_.cancelled = watch.cancelled;
+    }
+
+    std::vector<double> operator()(const std::vector<TwoTrackScene>& learnt,
+                                   const std::vector<TwoTrackScene>& judged)
+    {
+        try {
+            setSides(model_, learnt, watch_);
+        } catch (const std::invalid_argument&) {
+            return {};
+        }
+        Training training(model_, plan_, watch_);
+        training.searchSurfacesOn(kRowsOfMixSearch);
+        training.run();
+        Settings settings;
+        settings.method = Method::Local;
+        settings.seed = plan_.seed;
+        return sideErrors(judged, plan_.robot, Models(model_, plan_.robot), settings);
+    }
+
+private:
+    TrainingPlan plan_;
+    TrainingWatch watch_;
+    ModelData model_;
+};
+
+/// Reads the scenes of two tracks, and mixes generated ones to them by held-out error. The model has its part of one
+/// plane already.
+Status addSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData& model)
+{
+    const auto report = [&](const Message& notice) {
+        if (watch.notice) watch.notice(notice);
+    };
+    std::vector<std::size_t> begins;
+    auto real = readTogether(plan.tracks, plan.moreTracks, readTracksAndHash, report, &begins);
+    if (!real) return real.error();
+    if (!plan.generated.empty()) {
+        const auto generated =
+            readTogether(plan.generated.front(), {plan.generated.begin() + 1, plan.generated.end()},
+                         readTracksAndHash, report);
+        if (!generated) return generated.error();
+        SideJudge judge(model, plan, watch);
+        const auto mix = chooseMix(real->scenes, heldOutFolds(real->scenes, begins),
+                                   generated->scenes, std::ref(judge));
+        if (!mix) return fileError(plan.tracks, "its scenes " + mix.error().text);
+        if (watch.mix) watch.mix(*mix);
+        real->scenes = mixedScenes(real->scenes, generated->scenes, mix->weight);
+        real->hash = sha256Hex(real->hash + generated->hash);
+    }
     try {
-        SideTrainingSet set = prepareSides(file->scenes);
-        if (set.leftOut > 0)
-            report({TR_NOOP("core", "%1 scenes of two tracks left out: a reading or all heights "
-                                    "are unknown, or there are more than %2"),
-                    set.leftOut, kMaxSideScenes});
-        if (set.withHoles > 0)
-            report({TR_NOOP("core", "%1 scenes of two tracks have unknown heights: their known "
-                                    "bins are learnt"),
-                    set.withHoles});
-        model.sides = std::move(set.rows);
+        setSides(model, real->scenes, watch);
     } catch (const std::invalid_argument& error) {
         return fileError(plan.tracks, error.what());
     }
-    model.sidesHash = file->hash;
+    model.sidesHash = real->hash;
     model.sidesCommand = plan.commandLine;
     return Done{};
 }
@@ -367,11 +435,15 @@ Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watc
 {
     auto model = plan.plane.empty() ? readTraining(plan, watch) : readPlane(plan);
     if (!model) return model;
-    if (!plan.tracks.empty()) {
-        if (plan.bins) throw std::invalid_argument("a part of a model cannot have two tracks");
-        if (Status sides = readSides(plan, watch, *model); !sides) return sides.error();
-    }
-    Training(*model, plan, watch).run();
+    if (!plan.tracks.empty() && plan.bins)
+        throw std::invalid_argument("a part of a model cannot have two tracks");
+    const bool choosesMix = !plan.tracks.empty() && !plan.generated.empty();
+    if (choosesMix && plan.plane.empty()) Training(*model, plan, watch).run();
+    if (!plan.tracks.empty())
+        if (Status sides = addSides(plan, watch, *model); !sides) return sides.error();
+    TrainingPlan rest = plan;
+    if (choosesMix) rest.plane = "kept";
+    Training(*model, rest, watch).run();
     return model;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/learn/data/bin_set.h"
 #include "core/learn/model/model.h"
+#include "core/learn/model/model_card.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -22,6 +23,9 @@ struct TrainingPlan {
     std::vector<std::string> moreData{};  ///< more of them, behind the first
     std::string tracks{};  ///< CSV of scenes of two tracks; empty: the model learns one plane only
     std::vector<std::string> moreTracks{};  ///< more of them, behind the first
+    /// Generated scenes of two tracks, mixed to the real ones of `tracks` with the weight that errs least on held-out
+    /// real scenes (scene_mixing.h).
+    std::vector<std::string> generated{};
     /// Model whose part of one plane is kept, every bit of it; the new one learns `tracks` alone, and
     /// `data` is not read. Empty: `data` trains that part.
     std::string plane{};
@@ -83,6 +87,7 @@ struct TrainingWatch {
     std::function<bool()> cancelled;                    ///< any thread, every few milliseconds
     std::function<void(const TrainingStep&)> progress;  ///< one thread at a time
     std::function<void(const Message&)> notice;         ///< a sentence about the file
+    std::function<void(const CardMix&)> mix{};  ///< the weight of generated scenes that was chosen
 };
 
 /// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on

@@ -231,6 +231,23 @@ TrackEstimates estimateTracks(TrackApproach approach, const TrackScenes& scenes,
     return estimates;
 }
 
+std::vector<double> sideErrors(const TrackScenes& scenes, const RobotModel& robot,
+                               const Models& models, const Settings& settings)
+{
+    TrackEstimates estimates(scenes.size());
+    parallelFor(static_cast<int>(scenes.size()), [&](int k) {
+        const auto at = static_cast<std::size_t>(k);
+        try {
+            estimates[at] = estimateByBothSides(scenes[at].s, {}, robot, models, settings);
+        } catch (const std::invalid_argument&) {  // left out
+        }
+    });
+    std::vector<double> errors;
+    for (const BinError& e : errorsOfBoth(scenes, estimates))
+        if (e.bin <= kLastNearBin) errors.push_back(std::abs(e.error));
+    return errors;
+}
+
 Error modelOfOnePlane(const std::string& path)
 {
     return fileError(path, "has learnt one plane only: `terratact train --tracks` makes a model of "

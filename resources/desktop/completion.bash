@@ -60,7 +60,7 @@ _terratact_value() {
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
-    train:--tracks | train:--drives | train:--track-drives | evaluate:--drives | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
+    train:--tracks | train:--generated | train:--drives | train:--track-drives | evaluate:--drives | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out | simulate:--poses | truth:--out | *:--support | truth:--scenes) _terratact_files csv ;;
     truth:--poses) _terratact_files tum txt csv mcap bag db3 ;;
     truth:--session) _terratact_files tts ;;
@@ -121,7 +121,7 @@ _terratact_options() {
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
       --drives --spacing --slip --pitch-bias --press-share --gap \
       --cloud --poses --recording --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
-    train) echo --robot --data --tracks --plane --drives --track-drives --networks --epochs --out --seed --scanner-sd \
+    train) echo --robot --data --tracks --generated --plane --drives --track-drives --networks --epochs --out --seed --scanner-sd \
       --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
     evaluate) echo --robot --model --data --drives --trail --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \

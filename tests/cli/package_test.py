@@ -103,28 +103,32 @@ class Desktop(unittest.TestCase):
 
     def test_program_type_and_icon_agree(self):
         metainfo = xml.parse(DESKTOP / f"{ID}.metainfo.xml")
-        mime = xml.parse(DESKTOP / f"{ID}.mime.xml").find(f"{MIME}mime-type")
+        mimes = xml.parse(DESKTOP / f"{ID}.mime.xml").findall(f"{MIME}mime-type")
+        types = [mime.get("type") for mime in mimes]
+        self.assertEqual(len(types), 2)
         self.assertEqual(metainfo.findtext("id"), ID)
         self.assertEqual(metainfo.findtext("launchable"), f"{ID}.desktop")
-        self.assertEqual(entry()["MimeType"], mime.get("type") + ";")
-        self.assertEqual(metainfo.findtext("provides/mediatype"), mime.get("type"))
+        self.assertEqual(entry()["MimeType"], "".join(f"{kind};" for kind in types))
+        self.assertEqual([node.text for node in metainfo.findall("provides/mediatype")], types)
         self.assertEqual(entry()["Exec"], metainfo.findtext("provides/binary") + " --errors-in-window %f")
-        self.assertEqual({ID}, {entry()["Icon"], metainfo.findtext("icon"), mime.find(f"{MIME}icon").get("name")})
+        self.assertEqual({ID}, {entry()["Icon"], metainfo.findtext("icon"),
+                                *(mime.find(f"{MIME}icon").get("name") for mime in mimes)})
         self.assertTrue(xml.parse(DESKTOP / f"{ID}.svg").getroot().tag.endswith("svg"))
 
-    def test_a_session_is_known_by_its_content(self):
-        match = xml.parse(DESKTOP / f"{ID}.mime.xml").find(f"{MIME}mime-type/{MIME}magic/{MIME}match")
-        inner = match.find(f"{MIME}match")
-        with tempfile.NamedTemporaryFile() as file:
-            with sqlite3.connect(file.name) as base:
-                base.execute("PRAGMA application_id = 0x54545331")
-                base.execute("CREATE TABLE something (x)")
-            head = pathlib.Path(file.name).read_bytes()[:100]
-        self.assertEqual((match.get("type"), inner.get("type")), ("string", "big32"))
-        for rule, value in ((match, match.get("value").encode()), (inner, int(inner.get("value"), 0).to_bytes(4, "big"))):
-            offset = int(rule.get("offset"))
-            self.assertEqual(head[offset:offset + len(value)], value)
-        self.assertEqual(int(inner.get("value"), 0).to_bytes(4, "big"), b"TTS1")
+    def test_a_file_is_known_by_its_content(self):
+        for mime, magic in zip(xml.parse(DESKTOP / f"{ID}.mime.xml").findall(f"{MIME}mime-type"), (b"TTS1", b"TTT1"), strict=True):
+            match = mime.find(f"{MIME}magic/{MIME}match")
+            inner = match.find(f"{MIME}match")
+            with tempfile.NamedTemporaryFile() as file:
+                with sqlite3.connect(file.name) as base:
+                    base.execute(f"PRAGMA application_id = 0x{magic.hex()}")
+                    base.execute("CREATE TABLE something (x)")
+                head = pathlib.Path(file.name).read_bytes()[:100]
+            self.assertEqual((match.get("type"), inner.get("type")), ("string", "big32"))
+            for rule, value in ((match, match.get("value").encode()), (inner, int(inner.get("value"), 0).to_bytes(4, "big"))):
+                offset = int(rule.get("offset"))
+                self.assertEqual(head[offset:offset + len(value)], value)
+            self.assertEqual(int(inner.get("value"), 0).to_bytes(4, "big"), magic)
 
     def test_the_version_is_the_programs(self):
         version = output(CLI, "--version").split()[1]

@@ -6,7 +6,7 @@ terratact=$(realpath "$1")
 cd "$(dirname "$0")/../.."
 corpora=tests/fuzz/corpora
 rm -rf "$corpora"
-mkdir -p "$corpora"/{scene_file,drive_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message,cloud_file}
+mkdir -p "$corpora"/{scene_file,drive_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message,cloud_file,truth_file}
 
 scenes=$(mktemp)
 trap 'rm -f "$scenes"' EXIT
@@ -103,3 +103,7 @@ printf 'ply\nformat binary_big_endian 1.0\ncomment c\nelement vertex 1\nproperty
 printf 'x,y,z\n1,2,3\n4;5;6\n' >"$corpora/cloud_file/points.csv"
 printf '# tum\n1 0 0 0 0 0 0 1\n1.1 0.1 0 0 0 0 0.7071 0.7071\n' >"$corpora/cloud_file/poses.tum"
 printf 'run,t_s,x_m,y_m,z_m,qx,qy,qz,qw\na,1,2,3,4,0,0,0,1\n' >"$corpora/cloud_file/poses.csv"
+
+# truth_file.cpp: d decisions; else bytes that change rows.
+printf 'drow,run,decision,offset_m,tilt_rad\n1,a,accept,-0.01,0.005\n3,,exclude,,\n' >"$corpora/truth_file/decisions"
+printf 'r\0\1\2\0\3abc' >"$corpora/truth_file/rows"

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include "core/log/session_reader.h"
 #include "core/log/session_schema.h"
 #include "tests/fuzz/promise.h"
+#include "tests/fuzz/row_bytes.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/support/session_rehash.h"
 #include "tests/support/sessions.h"
@@ -33,65 +33,6 @@ const std::string& realSession()
         return file().read();
     }();
     return bytes;
-}
-
-/// Reads bytes in sequence; zeros after the last.
-struct Bytes {
-    const std::uint8_t* data;
-    std::size_t left;
-
-    std::uint8_t next()
-    {
-        if (left == 0) return 0;
-        --left;
-        return *data++;
-    }
-    template <class Number>
-    Number number()
-    {
-        Number value{};
-        std::uint8_t bytes[sizeof value];
-        for (std::uint8_t& byte : bytes) byte = next();
-        std::memcpy(&value, bytes, sizeof value);
-        return value;
-    }
-    std::string text()
-    {
-        std::string value(next() % 64, '\0');
-        for (char& c : value) c = static_cast<char>(next());
-        return value;
-    }
-};
-
-/// Writes one value into a column of one row. A value that SQLite rejects, such as a wrong type, changes nothing.
-void put(sqlite3* db, const std::string& table, Bytes& bytes)
-{
-    sqlite3_stmt* columns = nullptr;
-    const std::string all = "SELECT * FROM " + table;
-    if (sqlite3_prepare_v2(db, all.c_str(), -1, &columns, nullptr) != SQLITE_OK) return;
-    const int column = bytes.next() % sqlite3_column_count(columns);
-    const std::string name = sqlite3_column_name(columns, column);
-    sqlite3_finalize(columns);
-    const std::string sql = "UPDATE OR IGNORE " + table + " SET " + name + " = ? WHERE rowid = ?";
-    sqlite3_stmt* update = nullptr;
-    if (sqlite3_prepare_v2(db, sql.c_str(), -1, &update, nullptr) != SQLITE_OK) return;
-    const std::uint8_t type = bytes.next() % 4;
-    const std::int64_t row = 1 + bytes.next() % 24;
-    if (type == 0) sqlite3_bind_int64(update, 1, bytes.number<std::int64_t>());
-    if (type == 1) sqlite3_bind_double(update, 1, bytes.number<double>());
-    if (type == 2) {
-        const std::string value = bytes.text();
-        sqlite3_bind_text(update, 1, value.data(), static_cast<int>(value.size()),
-                          SQLITE_TRANSIENT);
-    }
-    if (type == 3) {
-        const std::string value = bytes.text();
-        sqlite3_bind_blob(update, 1, value.data(), static_cast<int>(value.size()),
-                          SQLITE_TRANSIENT);
-    }
-    sqlite3_bind_int64(update, 2, row);
-    sqlite3_step(update);
-    sqlite3_finalize(update);
 }
 
 void promiseFinite(double value)
@@ -135,11 +76,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string& real = realSession();
     file().write(reinterpret_cast<const std::uint8_t*>(real.data()), real.size());
-    Bytes bytes{data, size};
-    sqlite3* db = nullptr;
-    promise(sqlite3_open(file().path().c_str(), &db) == SQLITE_OK, "the session can be opened");
-    sqlite3_exec(db, "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF", nullptr, nullptr,
-                 nullptr);
+    RowBytes bytes{data, size};
+    sqlite3* const db = openRows(file().path());
     while (bytes.left > 0) {
         const std::uint8_t table = bytes.next() % (kSessionRowTables.size() + 3);
         put(db,

@@ -65,6 +65,21 @@ CardScores scoresFrom(TomlSection& section)
     return scores;
 }
 
+CardMix mixFrom(TomlSection& section)
+{
+    CardMix mix{.weight = section.number("weight", {0.0, 1.0}),
+                .heldOut = section.text("held_out")};
+    const std::string path = section.path("mean_errors_m");
+    const toml::array& trials = tomlArray(section.node("mean_errors_m"), path, 1, kMaxMixTrials);
+    mix.trials.reserve(trials.size());
+    for (const toml::node& node : trials) {
+        const toml::array& pair = tomlArray(node, path, 2, 2);
+        mix.trials.push_back(
+            {tomlNumber(pair[0], path, {0.0, 1.0}), tomlNumber(pair[1], path, {0.0, kMaxError})});
+    }
+    return mix;
+}
+
 void readCard(TomlSection& file, ModelCard& card)
 {
     card.model = checked(file, "model", isHash, TR_NOOP("core", "%1: %2 is not a SHA-256: %3"));
@@ -73,6 +88,8 @@ void readCard(TomlSection& file, ModelCard& card)
             checked(file, "trained", isDate,
                     TR_NOOP("core", "%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3"));
     if (file.has("terrain")) card.terrain = file.text("terrain");
+    if (file.has("generated"))
+        file.section("generated", [&](TomlSection& section) { card.mix = mixFrom(section); });
     if (!file.has("evaluation")) return;
     for (const toml::node& node :
          tomlArray(file.node("evaluation"), "evaluation", 1, kMaxCardScores)) {
@@ -106,6 +123,16 @@ std::string textOf(const ModelCard& card)
     };
     if (!card.trained.empty()) line("trained", quoted(card.trained));
     if (!card.terrain.empty()) line("terrain", quoted(card.terrain));
+    if (card.mix) {
+        std::string errors;
+        for (const CardMix::Trial& trial : card.mix->trials)
+            errors += (errors.empty() ? "[[" : ", [") + numberText(trial.weight) + ", "
+                    + numberText(trial.meanError) + ']';
+        text += "\n[generated]\n";
+        line("weight", numberText(card.mix->weight));
+        line("held_out", quoted(card.mix->heldOut));
+        line("mean_errors_m", errors + ']');
+    }
     for (const CardScores& scores : card.scores) {
         text += "\n[[evaluation]]\n";
         line("method", quoted(scores.method));

@@ -24,12 +24,28 @@ struct CardScores {
     bool operator==(const CardScores&) const = default;
 };
 
+/// How much of the generated scenes a training kept beside real ones, chosen by the error on real scenes that were held
+/// out.
+struct CardMix {
+    struct Trial {
+        double weight = 0.0;     ///< 0 … 1: share of the generated scenes
+        double meanError = 0.0;  ///< [m] mean |height − truth| on the held-out scenes
+        bool operator==(const Trial&) const = default;
+    };
+    double weight = 0.0;          ///< the chosen one
+    std::string heldOut{};        ///< what was held out in turn, such as "2 files"
+    std::vector<Trial> trials{};  ///< 1 to kMaxMixTrials
+    bool operator==(const CardMix&) const = default;
+};
+inline constexpr std::size_t kMaxMixTrials = 16;
+
 /// Model card: facts about a model that its file does not hold. They do not affect predictions, or
 /// are known later. It is a file beside the model, whose bytes and hash do not change.
 struct ModelCard {
     std::string model;               ///< contentHash() of its model
     std::string trained;             ///< "2026-11-22T07:05:00Z"; empty: unknown
     std::string terrain;             ///< terrain of the training; empty: unknown
+    std::optional<CardMix> mix{};    ///< empty: the training did not choose
     std::vector<CardScores> scores;  ///< oldest first, one per method and scenes file
     bool operator==(const ModelCard&) const = default;
 };
