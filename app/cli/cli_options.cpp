@@ -39,6 +39,19 @@ void addSamplingOptions(CLI::App& app, Settings& settings)
     for (CLI::Option* number : numbers) preset->excludes(number);
 }
 
+/// Refuses the empty name that a script gives for an unset variable.
+std::string refuseNoName(const std::string& path)
+{
+    return path.empty() ? "the name is empty, expected the name of a file or folder" : "";
+}
+
+/// Adds an option for the name of a file or folder. value: a path or several.
+template <class Value>
+CLI::Option* addPath(CLI::App& app, const std::string& name, Value& value, const std::string& text)
+{
+    return app.add_option(name, value, text)->check(CLI::Validator(refuseNoName, ""));
+}
+
 /// Returns the input path; shells and scripts write "-" for standard input.
 std::string inputPath(const std::string& given)
 {
@@ -94,20 +107,20 @@ CLI::Option* addInput(CLI::App& app, const std::string& name, std::string& path,
                       const std::string& text)
 {
     declareFiles(app, FileRole::Input, [&path] { return given(path); });
-    return app.add_option(name, path, text)->transform(inputPath, "");
+    return addPath(app, name, path, text)->transform(inputPath, "");
 }
 
 CLI::Option* addInput(CLI::App& app, const std::string& name, Paths& paths, const std::string& text)
 {
     declareFiles(app, FileRole::Input, [&paths] { return paths; });
-    return app.add_option(name, paths, text)->transform(inputPath, "");
+    return addPath(app, name, paths, text)->transform(inputPath, "");
 }
 
 CLI::Option* addLog(CLI::App& app, const std::string& name, std::string& path,
                     const std::string& text)
 {
     declareFiles(app, FileRole::Input, [&path] { return given(path); });
-    return app.add_option(name, path, text);
+    return addPath(app, name, path, text);
 }
 
 CLI::Option* addTerrain(CLI::App& app, std::string& terrain, const std::string& text)
@@ -116,14 +129,14 @@ CLI::Option* addTerrain(CLI::App& app, std::string& terrain, const std::string& 
         return terrain == "boxes" || terrain == "varied" || terrain == "hazards" ? Paths{}
                                                                                  : given(terrain);
     });
-    return app.add_option("--terrain", terrain, text)->transform(inputPath, "");
+    return addPath(app, "--terrain", terrain, text)->transform(inputPath, "");
 }
 
 CLI::Option* addTextOutput(CLI::App& app, const std::string& name, std::string& path,
                            const std::string& text)
 {
     declareFiles(app, FileRole::Output, [&path] { return given(path); });
-    return app.add_option(name, path, text);
+    return addPath(app, name, path, text);
 }
 
 CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& path,
@@ -141,7 +154,7 @@ CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string
             files.push_back((std::filesystem::path(path) / file).string());
         return files;
     });
-    return app.add_option(name, path, text)->check(CLI::Validator(refuseStream, ""));
+    return addPath(app, name, path, text)->check(CLI::Validator(refuseStream, ""));
 }
 
 void addRobot(CLI::App& app, std::string& robot)

@@ -310,7 +310,10 @@ Status writePicture(const std::string& path, int width, int height,
                       : path.ends_with(".png") ? renderPng
                       : path.ends_with(".pdf") ? renderPdf
                                                : nullptr;
-    if (!render) return Error{path + ": a figure's file ends in .png, .svg or .pdf"};
+    if (!render)
+        return Error{path
+                     + ": a picture's file ends in .png, .svg or .pdf; that of a report or a strip "
+                       "also in .html"};
     return writeDrawn(path, [&](std::string& bytes) {
         const cairo_status_t status = render(bytes, width, height, draw);
         if (render == renderSvg) addTexts(bytes, text);

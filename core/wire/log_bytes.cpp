@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/system_message.h"
+#include "core/store/content_kind.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -143,6 +144,8 @@ Status LogBytes::begin()
     if (const auto first = peek(4); !first) return first.error();
     if (packed_ && block_.starts_with("\x1F\x8B"))
         return Error{TR_NOOP("core", "is packed by gzip twice: unpack it once (gzip -d)")};
+    if (contentKind(block_) == ContentKind::Utf32)
+        return Error{TR_NOOP("core", "is text in UTF-32: save it in UTF-8")};
     if (block_.starts_with("\xEF\xBB\xBF")) consume(3);
     isLowFirst_ = block_.starts_with("\xFF\xFE");
     isWide_ = isLowFirst_ || block_.starts_with("\xFE\xFF");

@@ -121,7 +121,7 @@ bool LogReader::endsLinesWithCr(std::string_view atHand) const
     return line_ == 0 && lineEnd_ == '\n' && cr + 1 < atHand.size() && isText;
 }
 
-/// After a power loss, file systems leave zeros: they end a log.
+/// After a power loss, file systems leave zeros: they end a log. More than kMaxZeros are no log.
 Result<LogReader::Line> LogReader::endOfLongLine()
 {
     ++line_;
@@ -134,11 +134,12 @@ Result<LogReader::Line> LogReader::endOfLongLine()
     bytes_.consume(text_.size());
     const std::size_t zeros = std::min(text_.find('\0'), text_.size());
     if (zeros == text_.size() || !isZeros(std::string_view(text_).substr(zeros))) return tooLong;
-    for (;;) {
+    for (std::uint64_t read = 0;;) {
         const Result<std::string_view> rest = bytes_.peek(1);
         if (!rest) return fileError(name_, rest.error().message, rest.error().code);
         if (rest->empty()) break;
-        if (!isZeros(*rest)) return tooLong;
+        read += rest->size();
+        if (read > kMaxZeros || !isZeros(*rest)) return tooLong;
         bytes_.consume(rest->size());
     }
     text_.resize(zeros + 1);

@@ -24,7 +24,8 @@ namespace terratact {
 /// A truncated last line ends the log and adds a remark.
 class LogReader {
 public:
-    static constexpr std::size_t kMaxLineLength = 1000;  ///< bytes
+    static constexpr std::size_t kMaxLineLength = 1000;        ///< bytes
+    static constexpr std::uint64_t kMaxZeros = 1'000'000'000;  ///< bytes at the end of a log
 
     /// Opens a log; path: "-" is standard input. Errors name the file.
     static Result<LogReader> open(const std::string& path);

@@ -5144,6 +5144,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>is a damaged truth file: write it again</source>
         <translation>je poškozený soubor skutečnosti: zapište ho znovu</translation>
     </message>
+    <message>
+        <source>holds numbers, expected the names of the columns: add that line at the top, as docs/files.md shows it</source>
+        <translation>obsahuje čísla, očekávají se názvy sloupců: přidejte tento řádek na začátek, jak ukazuje docs/files.md</translation>
+    </message>
+    <message>
+        <source>is text in UTF-32: save it in UTF-8</source>
+        <translation>je text v UTF-32: uložte jej v UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -5144,6 +5144,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>is a damaged truth file: write it again</source>
         <translation>ist eine beschädigte Wahrheitsdatei: neu schreiben</translation>
     </message>
+    <message>
+        <source>holds numbers, expected the names of the columns: add that line at the top, as docs/files.md shows it</source>
+        <translation>enthält Zahlen, erwartet werden die Namen der Spalten: diese Zeile oben ergänzen, wie docs/files.md sie zeigt</translation>
+    </message>
+    <message>
+        <source>is text in UTF-32: save it in UTF-8</source>
+        <translation>ist Text in UTF-32: in UTF-8 speichern</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

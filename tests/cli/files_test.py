@@ -51,6 +51,16 @@ class Overwriting(Scenes):
         self.assertEqual(file.read_bytes(), before)
         self.assertFalse([p.name for p in self.path.rglob("*.tmp*")])
 
+    def test_an_empty_name_is_refused_before_anything_is_done(self):
+        for arguments in (("reconstruct", "--data", self.scenes, "--out", ""), ("reconstruct", "--data", "", "--out", "o.csv"),
+                          ("simulate", "--terrain", "", "--out", "o.csv"), ("can", "decode", ""),
+                          ("reconstruct", "--data", self.scenes, "--out", "o.csv", "--model", ""),
+                          ("evaluate", "--data", self.scenes, "--out", ""), ("session", "report", DEMO, "--out", "")):
+            self.assertIn("the name is empty", complaint(*arguments, code=2), arguments)
+
+    def test_a_report_names_its_formats(self):
+        self.assertIn(".html", complaint("session", "report", DEMO, "--out", self.path / "a.txt"))
+
     def test_no_command_overwrites_what_it_reads(self):
         s, log, tts = self.scenes, self.copy(LOG, "run.log"), self.copy(DEMO, "drive.tts")
         model, robot = self.copy(MODEL, "m.ttm"), self.copy(f"{SOURCE}/resources/robots/absolem.toml", "robot.toml")

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
+#include "core/store/csv_field.h"
 #include "core/store/csv_text.h"
 #include "core/wire/dbc/dbc_text.h"
 
@@ -97,6 +98,15 @@ struct Layout {
     std::vector<Message> notices;
 };
 
+/// Returns true if the line behind its first field, the run, holds numbers: the header is missing.
+bool hasNumbersOnly(const std::vector<std::string_view>& fields)
+{
+    return fields.size() > 1
+        && std::all_of(fields.begin() + 1, fields.end(), [](std::string_view field) {
+               return field.empty() || csvNumber(withoutBlanks(field), true);
+           });
+}
+
 Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
 {
     if (csv.fields().size() > kMaxColumns)
@@ -119,6 +129,9 @@ Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
             shown(name));
         unknown += (unknown.empty() ? "" : ", ") + shown(name);
     }
+    if (hasNumbersOnly(csv.fields()))
+        return csv.error(TR_NOOP("core", "holds numbers, expected the names of the columns: add "
+                                         "that line at the top, as docs/files.md shows it"));
     for (int slot = 0; slot < known.required(); ++slot)
         if (known.isUsed(slot) && std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
             return csv.error(

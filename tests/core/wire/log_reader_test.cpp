@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -62,6 +64,27 @@ TEST(Logs, mayBeUtf16)
         }
         EXPECT_EQ(read(wide).frames.size(), 2U) << read(wide).error;
     }
+}
+
+TEST(Logs, ofUtf32AreRefused)
+{
+    std::string wide("\xFF\xFE\0\0", 4);
+    for (const char c : kTwo) wide += {c, '\0', '\0', '\0'};
+    EXPECT_NE(read(wide).error.find("is text in UTF-32: save it in UTF-8"), std::string::npos)
+        << read(wide).error;
+}
+
+TEST(Logs, ofEndlessZerosAreRefused)
+{
+    const auto zeros = [](std::span<char> room) -> Result<std::size_t> {
+        std::fill(room.begin(), room.end(), '\0');
+        return room.size();
+    };
+    LogReader log("zero", LogBytes::Source(zeros));
+    const auto next = log.next();
+    ASSERT_FALSE(next);
+    EXPECT_NE(next.error().message.english().find("this is no log of CAN frames"),
+              std::string::npos);
 }
 
 TEST(Logs, mayBePackedByGzip)

@@ -229,7 +229,7 @@ TEST_F(SceneFileTest, refusesMissingDuplicateAndMisspeltColumns)
         EXPECT_TRUE(refuses(joined({name, kHeader}) + kScene, {"line 1", name, "twice"}));
     for (const char* name : {"h_0.3_m", "h_+0.8_m", "h_-0.3", "h_0", "h_+0.3_cm"})
         EXPECT_TRUE(refuses(joined({name, kHeader}), {"line 1", name, "height column"}));
-    EXPECT_TRUE(refuses(kScene + kScene, {"line 1", "run is missing"}));
+    EXPECT_TRUE(refuses(kScene + kScene, {"line 1", "expected the names of the columns"}));
 }
 
 TEST_F(SceneFileTest, refusesWhatIsNotAFiniteNumber)

@@ -100,6 +100,8 @@ TEST_F(TwoTrackSceneFileTest, refusesWhatCannotBe)
     const std::string path = dir.file("scenes.csv");
     EXPECT_TRUE(refused(read(changed("rear_right_current_a", "x")), path,
                         {"the column rear_right_current_a is missing; not known: 'x'"}));
+    EXPECT_TRUE(refused(read(text.substr(text.find('\n') + 1)), path,
+                        {"line 1", "holds numbers, expected the names of the columns"}));
     EXPECT_TRUE(refused(read(changed("left_h_-0.3_m", "left_h_-0.35_m")), path,
                         {"'left_h_-0.35_m' is not a height column", "right_h_+0.7_m"}));
     EXPECT_TRUE(refused(read(changed("left_h_-0.3_m", "h_-0.3_m")), path, {"not a height column"}));
