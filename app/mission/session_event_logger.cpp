@@ -1,11 +1,9 @@
 #include "app/mission/session_event_logger.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "app/display/translated.h"
-#include "core/base/text.h"
+#include "app/mission/screen_text.h"
 #include "core/log/event_text.h"
 
 namespace terratact {
@@ -37,39 +35,6 @@ template <class Enum>
 Message named(Enum value)
 {
     return Message::verbatim(std::string(name(value)));
-}
-
-std::string inWords(const StepProbability& step, double limit)
-{
-    return fmt::format("P(step > {:.2f} m) = {:.1f} % ± {}", limit, 100.0 * step.p,
-                       randomErrorText(100.0 * step.monteCarloSd, 1));
-}
-
-/// Returns "9", or "9 left" on a side.
-std::string inWords(ProbePlace place)
-{
-    const std::string bin = std::to_string(place.bin);
-    return place.side == ProbeSide::Middle ? bin : fmt::format("{} {}", bin, name(place.side));
-}
-
-std::string doubtsOf(const Verdict& verdict)
-{
-    std::string text;
-    if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
-    for (const WithholdReason reason : verdict.withheldFor)
-        text += fmt::format("; {}", describe(reason).english);
-    return text;
-}
-
-std::string inWords(const TwoTrackVerdict& verdict, double limit)
-{
-    const auto& [left, right] = verdict.side;
-    if (verdict.onePlane)
-        return fmt::format("{}, {}{}", name(verdict.both), inWords(verdict.either, limit),
-                           doubtsOf(left));
-    return fmt::format("{}; either side {}; left {}{}; right {}{}", describe(verdict),
-                       inWords(verdict.either, limit), inWords(left.step, limit), doubtsOf(left),
-                       inWords(right.step, limit), doubtsOf(right));
 }
 
 }  // namespace
@@ -167,15 +132,16 @@ void SessionEventLogger::log(EventKind kind, const std::string& subject, const M
                              std::optional<double> number)
 {
     const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
-    recorder_->record(withText({.id = 0,
-                                .time = 0,
-                                .kind = kind,
-                                .subject = subject,
-                                .number = number,
-                                .estimate = estimate_,
-                                .proposal = exploration_.proposal() ? proposal_ : 0,
-                                .shown = isDecision ? shown() : std::string()},
-                               text));
+    EventRow row = withText({.id = 0,
+                             .time = 0,
+                             .kind = kind,
+                             .subject = subject,
+                             .number = number,
+                             .estimate = estimate_,
+                             .proposal = exploration_.proposal() ? proposal_ : 0},
+                            text);
+    recorder_->record(isDecision ? withScreen(std::move(row), screenText(exploration_, link_))
+                                 : std::move(row));
 }
 
 void SessionEventLogger::decision(const char* what, const Message& text)
@@ -201,21 +167,6 @@ void SessionEventLogger::snapshot(const QString& name)
 void SessionEventLogger::noteSnapshot(const QString& name, const QString& note)
 {
     log(EventKind::Marker, "snapshot note", verbatim(name + QStringLiteral(": ") + note));
-}
-
-std::string SessionEventLogger::shown() const
-{
-    std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase).english);
-    text.append("; ").append(describe(link_).english);
-    if (const auto verdict = exploration_.estimation().verdict())
-        text += "; " + inWords(*verdict, exploration_.options().stepLimit);
-    else
-        text += "; no estimate";
-    if (const auto& p = exploration_.proposal())
-        text += fmt::format("; probe proposed at bin {}: {:.3f} m, {:.3f} … {:.3f} m, sd {:.3f} m",
-                            inWords({p->bin, p->side}), p->height, p->q10, p->q90, p->sd);
-    if (const auto place = exploration_.probingPlace()) text += "; probing bin " + inWords(*place);
-    return text;
 }
 
 void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanView>& bus,

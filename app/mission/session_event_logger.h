@@ -48,7 +48,6 @@ private:
     void logProposal();
     void log(EventKind kind, const std::string& subject, const Message& text = {},
              std::optional<double> number = std::nullopt);
-    std::string shown() const;
     void lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus);
     void lookAtAlarms(const AlarmList& alarms);
     void lookAtPanel(const PanelState& panel);

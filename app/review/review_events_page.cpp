@@ -12,6 +12,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/review/review_timeline.h"
+#include "core/log/event_text.h"
 #include "core/log/review_moment.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
@@ -82,7 +83,7 @@ public:
         case Time: return timeWords(secondsOf(row.time));
         case Kind: return nameOf(row.kind);
         case What: return sentenceOf(row);
-        case Shown: return format::line(row.shown);
+        case Shown: return translatedLine(screenOf(row));
         default: return {};
         }
     }

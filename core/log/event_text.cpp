@@ -45,6 +45,18 @@ EventRow withText(EventRow event, Message text)
     return event;
 }
 
+EventRow withScreen(EventRow event, Message screen)
+{
+    event.shown = screen.english();
+    event.screen = std::move(screen);
+    return event;
+}
+
+Message screenOf(const EventRow& event)
+{
+    return event.screen.empty() ? Message::verbatim(event.shown) : event.screen;
+}
+
 Message messageOf(const EventRow& event)
 {
     if (!event.message.empty()) return event.message;

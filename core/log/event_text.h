@@ -29,6 +29,13 @@ Message messageOf(const EventRow& event);
 /// as recorded.
 Message subjectOf(const EventRow& event);
 
+/// Returns the event with this text as what was on the screen, in English and as a message.
+EventRow withScreen(EventRow event, Message screen);
+
+/// Returns what was on the screen, for the operator: in parts, or the English text of versions 1 to
+/// 5.
+Message screenOf(const EventRow& event);
+
 /// Return subjectOf() and messageOf() in English.
 std::string subjectWords(const EventRow& event);
 std::string textWords(const EventRow& event);

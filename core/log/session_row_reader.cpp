@@ -361,6 +361,7 @@ EventRow eventFrom(CheckedRow& row, std::int64_t id)
     e.shown = row.text();
     if (!row.hasMore()) return withNames(std::move(e));
     e.message = messageFrom(row.text());
+    if (row.hasMore()) e.screen = messageFrom(row.text());
     return e;
 }
 

@@ -174,7 +174,8 @@ struct EventRow {
     std::int64_t estimate = 0,
                  proposal = 0;  ///< rows that it refers to, or 0
     std::string shown{};        ///< text on the screen at that time
-    Message message{};  ///< the text in parts, for translation; empty: only the text is known
+    /// `text` and `shown` in parts, for translation; empty: only the text is known.
+    Message message{}, screen{};
     bool operator==(const EventRow&) const = default;
 };
 

@@ -236,6 +236,16 @@ constexpr std::array kVersion5{
         "arm_side TEXT, memory BLOB) STRICT"},
 };
 
+/// Tables whose statements differ in version 6.
+constexpr std::array kVersion6{
+    SchemaEntry{
+        "table", "event",
+        "CREATE TABLE event(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, kind TEXT NOT NULL, subject TEXT NOT NULL, text TEXT NOT NULL, "
+        "number REAL, estimate INTEGER NOT NULL, proposal INTEGER NOT NULL, "
+        "shown TEXT NOT NULL, message TEXT NOT NULL, shown_message TEXT NOT NULL) STRICT"},
+};
+
 void replace(SessionSchema& schema, std::span<const SchemaEntry> newer)
 {
     for (const SchemaEntry& entry : newer)
@@ -251,6 +261,7 @@ SessionSchema sessionSchema(std::int64_t version)
     if (version >= 3) replace(schema, kVersion3);
     if (version >= 4) replace(schema, kVersion4);
     if (version >= 5) replace(schema, kVersion5);
+    if (version >= 6) replace(schema, kVersion6);
     return schema;
 }
 

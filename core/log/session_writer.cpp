@@ -264,9 +264,12 @@ void SessionWriter::Impl::addEvent(const EventRow& r)
     if (version < 3)
         row(eventTable, id, batch.id, r.time, kind, r.subject, r.text, r.number, r.estimate,
             r.proposal, r.shown);
-    else
+    else if (version < 6)
         row(eventTable, id, batch.id, r.time, kind, r.subject, r.text, r.number, r.estimate,
             r.proposal, r.shown, shortJsonOf(r.message));
+    else
+        row(eventTable, id, batch.id, r.time, kind, r.subject, r.text, r.number, r.estimate,
+            r.proposal, r.shown, shortJsonOf(r.message), shortJsonOf(r.screen));
 }
 
 void SessionWriter::Impl::commit()

@@ -9641,6 +9641,45 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SessionEventLogger</name>
+    <message>
+        <source>P(step &gt; %1 m) = %2 % ± %3</source>
+        <translation>P(schod &gt; %1 m) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>not felt: %1</source>
+        <translation>neohmatáno: %1</translation>
+    </message>
+    <message>
+        <source>either side: %1</source>
+        <translation>kterákoli strana: %1</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>vlevo: %1</translation>
+    </message>
+    <message>
+        <source>right: %1</source>
+        <translation>vpravo: %1</translation>
+    </message>
+    <message>
+        <source>probe proposed %1: %2 m, %3 … %4 m, sd %5 m</source>
+        <translation>návrh sondy %1: %2 m, %3 … %4 m, směr. odch. %5 m</translation>
+    </message>
+    <message>
+        <source>exploration: %1</source>
+        <translation>průzkum: %1</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>žádný odhad</translation>
+    </message>
+    <message>
+        <source>probing %1</source>
+        <translation>sonduje %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SessionList</name>
     <message>
         <source>%1 not read</source>

@@ -9640,6 +9640,45 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SessionEventLogger</name>
+    <message>
+        <source>P(step &gt; %1 m) = %2 % ± %3</source>
+        <translation>P(Stufe &gt; %1 m) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>not felt: %1</source>
+        <translation>nicht ertastet: %1</translation>
+    </message>
+    <message>
+        <source>either side: %1</source>
+        <translation>eine der Seiten: %1</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>links: %1</translation>
+    </message>
+    <message>
+        <source>right: %1</source>
+        <translation>rechts: %1</translation>
+    </message>
+    <message>
+        <source>probe proposed %1: %2 m, %3 … %4 m, sd %5 m</source>
+        <translation>Sondierung vorgeschlagen %1: %2 m, %3 … %4 m, Standardabw. %5 m</translation>
+    </message>
+    <message>
+        <source>exploration: %1</source>
+        <translation>Erkundung: %1</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>keine Schätzung</translation>
+    </message>
+    <message>
+        <source>probing %1</source>
+        <translation>Arm sondiert %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SessionList</name>
     <message>
         <source>%1 not read</source>

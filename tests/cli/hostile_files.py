@@ -285,7 +285,7 @@ def many_rows(base, path, count):
     shutil.copy(base, path)
     file = sqlite3.connect(path)
     number, when = last_batch(path)
-    file.executemany("INSERT INTO event VALUES(NULL, ?, ?, 'word', '', '', NULL, 0, 0, '', '')", [(number, when)] * count)
+    file.executemany("INSERT INTO event VALUES(NULL, ?, ?, 'word', '', '', NULL, 0, 0, '', '', '')", [(number, when)] * count)
     forge(file)
     file.close()
     return path

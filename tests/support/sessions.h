@@ -139,7 +139,8 @@ inline EventRow someDecision(SessionTime time)
             .number = 9.0,
             .estimate = 1,
             .proposal = 1,
-            .shown = "CANNOT TELL 41 %"};
+            .shown = "CANNOT TELL 41 %",
+            .screen = {SourceText{"core", "CANNOT TELL %1 %"}, 41}};
 }
 
 /// Writes a session of `frames` frames in batches of 100, with two scenes and a probe. Not sealed.

@@ -1,7 +1,9 @@
 // Tests when a probe is proposed, with which limit and policy, and that the estimate is recorded before.
 #include "app/display/translated.h"
+#include "app/mission/screen_text.h"
 #include "app/mission/session_event_logger.h"
 #include "app/recording/session_folder.h"
+#include "core/log/message_json.h"
 #include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
 #include "tests/support/sessions.h"
@@ -83,6 +85,20 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
     auto reader = SessionReader::open(files.front());
     ASSERT_TRUE(reader) << reader.error().text;
     EXPECT_EQ(reader->estimates().size(), 1U);
+}
+
+TEST_F(Bench, aDecisionRecordsWhatWasOnTheScreen)
+{
+    withDraws = true;
+    EXPECT_EQ(screenText(*exploration, {}).english(),
+              "exploration: ready; no telemetry yet; no estimate");
+    ASSERT_NO_FATAL_FAILURE(propose());
+    const Message screen = screenText(*exploration, {});
+    EXPECT_TRUE(screen.english().starts_with("exploration: arm probe proposed; no telemetry yet; "))
+        << screen.english();
+    EXPECT_NE(screen.english().find("P(step > "), std::string::npos) << screen.english();
+    EXPECT_NE(screen.english().find("probe proposed at "), std::string::npos) << screen.english();
+    EXPECT_TRUE(messageFromJson(jsonOf(screen))) << "a session can hold it in parts";
 }
 
 TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)

@@ -79,6 +79,31 @@ TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
     installLanguage(*qApp, "en");
 }
 
+TEST(Languages, whatWasOnTheScreenIsTranslated)
+{
+    const EventRow event = withScreen(
+        {.kind = EventKind::Decision, .subject = "approve"},
+        Message::listed({{TR_NOOP("terratact::SessionEventLogger", "exploration: %1"),
+                          describe(AtemPhase::ProposingProbe)},
+                         describe(StepVerdict::CannotTell),
+                         {TR_NOOP("terratact::SessionEventLogger", "not felt: %1"), "+0.3 m"}},
+                        "; "));
+    EXPECT_EQ(event.shown, "exploration: arm probe proposed; CANNOT TELL; not felt: +0.3 m");
+    EventRow older = event;
+    older.screen = {};
+    for (const char* language : {"cs", "de"}) {
+        ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
+        const QString text = translated(screenOf(event));
+        EXPECT_FALSE(text.contains("exploration")) << text.toStdString();
+        EXPECT_FALSE(text.contains("proposed")) << text.toStdString();
+        EXPECT_FALSE(text.contains("not felt")) << text.toStdString();
+        EXPECT_TRUE(text.endsWith("+0.3 m")) << text.toStdString();
+        EXPECT_EQ(translated(screenOf(older)), QString::fromStdString(event.shown))
+            << "versions 1 to 5 hold it in English only";
+    }
+    installLanguage(*qApp, "en");
+}
+
 using namespace gui;
 using At = RobotSessionTimes;
 

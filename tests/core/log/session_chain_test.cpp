@@ -49,10 +49,10 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"decision", "UPDATE event SET subject = 'refuse' WHERE id = 2", 500'000'000},
         Tampering{"decisionGone", "DELETE FROM event WHERE id = 2", 500'000'000},
         Tampering{"eventMore",
-                  "INSERT INTO event VALUES(3, 6, 5, 'word', '', '', NULL, 0, 0, '', '')",
+                  "INSERT INTO event VALUES(3, 6, 5, 'word', '', '', NULL, 0, 0, '', '', '')",
                   500'000'000},
         Tampering{"rowOfNoBatch",
-                  "INSERT INTO event VALUES(9, 77, 5, 'word', '', '', NULL, 0, 0, '', '')",
+                  "INSERT INTO event VALUES(9, 77, 5, 'word', '', '', NULL, 0, 0, '', '', '')",
                   900'000'000},
         Tampering{"frameOfNoBatch", "INSERT INTO can_frame VALUES(5000, 5, 0, 1, 0, x'')",
                   900'000'000},
@@ -131,7 +131,7 @@ TEST_F(Session, isTheSameInPartsOfAnySize)
          {"", "UPDATE scene SET pitch_rad = 0.5 WHERE id = 1",
           "DELETE FROM event WHERE id = (SELECT max(id) FROM event)",
           "INSERT INTO event SELECT id + 1000, 99999, t, kind, subject, text, number, estimate, "
-          "proposal, shown, message FROM event WHERE id = 1",
+          "proposal, shown, message, shown_message FROM event WHERE id = 1",
           "UPDATE batch SET chain = rows_hash WHERE id = 2", "DELETE FROM batch WHERE id = 2"}) {
         const std::string changed = directory.file("changed.tts");
         std::filesystem::remove(changed);
@@ -149,7 +149,7 @@ TEST_F(Session, rowThatWasPutIntoAnEarlierBatchIsNotShown)
     seal(path, 1000);
     change(path,
            "INSERT INTO event SELECT 100000, 1, t, kind, subject, 'forged', number, estimate, "
-           "proposal, shown, message FROM event WHERE id = 1");
+           "proposal, shown, message, shown_message FROM event WHERE id = 1");
     for (const std::size_t atATime : {1U, 2U, 65'536U}) {
         const std::string text = told(path, atATime);
         EXPECT_NE(text.find("damage"), std::string::npos) << atATime;
@@ -177,7 +177,7 @@ TEST_F(Session, foreignTablesViewsAndTriggersAreRefused)
     for (const char* const sql :
          {"CREATE TABLE more(a)", "CREATE VIEW look AS SELECT 1", "CREATE INDEX i ON event(t)",
           "CREATE TRIGGER t AFTER INSERT ON event BEGIN SELECT 1; END", "DROP VIEW messages",
-          "PRAGMA user_version = 6", "PRAGMA application_id = 7",
+          "PRAGMA user_version = 7", "PRAGMA application_id = 7",
           "DROP VIEW messages; CREATE VIEW messages AS SELECT load_extension('x')"}) {
         std::filesystem::remove(path);
         seal(path, 100);

@@ -1,0 +1,83 @@
+#include "app/mission/screen_text.h"
+
+#include <utility>
+#include <vector>
+
+#include "app/mission/exploration.h"
+#include "app/mission/place_text.h"
+#include "core/base/text.h"
+#include "core/infer/verdict/two_track_verdict.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+namespace {
+
+Message stepText(const StepProbability& step, double limit)
+{
+    return {TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m) = %2 % ± %3"), fixed(limit, 2),
+            fixed(100.0 * step.p, 1), randomErrorText(100.0 * step.monteCarloSd, 1)};
+}
+
+/// Adds what keeps the verdict open: bins that were not felt, and reasons to withhold it.
+void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
+{
+    std::vector<Message> bins;
+    bins.reserve(verdict.unfelt.size());
+    for (const int bin : verdict.unfelt)
+        bins.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
+    if (!bins.empty())
+        parts.push_back({TR_NOOP("terratact::SessionEventLogger", "not felt: %1"),
+                         Message::listed(std::move(bins), ", ")});
+    for (const WithholdReason reason : verdict.withheldFor) parts.push_back(describe(reason));
+}
+
+Message sideText(SourceText side, const Verdict& verdict, double limit)
+{
+    std::vector<Message> parts{describe(verdict.stepVerdict), stepText(verdict.step, limit)};
+    addDoubts(parts, verdict);
+    return {side, Message::listed(std::move(parts), ", ")};
+}
+
+void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, double limit)
+{
+    const auto& [left, right] = verdict.side;
+    parts.push_back(describe(verdict.both));
+    if (verdict.onePlane) {
+        parts.push_back(stepText(verdict.either, limit));
+        return addDoubts(parts, left);
+    }
+    parts.push_back({TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
+                     stepText(verdict.either, limit)});
+    parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "left: %1"), left, limit));
+    parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "right: %1"), right, limit));
+}
+
+Message proposalText(const ProbeProposal& p)
+{
+    return {TR_NOOP("terratact::SessionEventLogger", "probe proposed %1: %2 m, %3 … %4 m, sd %5 m"),
+            placeWords({p.bin, p.side}),
+            fixed(p.height, 3),
+            fixed(p.q10, 3),
+            fixed(p.q90, 3),
+            fixed(p.sd, 3)};
+}
+
+}  // namespace
+
+Message screenText(const Exploration& exploration, const LinkAccount& link)
+{
+    std::vector<Message> parts{{TR_NOOP("terratact::SessionEventLogger", "exploration: %1"),
+                                describe(exploration.state().phase)},
+                               describe(link)};
+    if (const auto verdict = exploration.estimation().verdict())
+        addVerdict(parts, *verdict, exploration.options().stepLimit);
+    else
+        parts.push_back(TR_NOOP("terratact::SessionEventLogger", "no estimate"));
+    if (const auto& proposal = exploration.proposal()) parts.push_back(proposalText(*proposal));
+    if (const auto place = exploration.probingPlace())
+        parts.push_back(
+            {TR_NOOP("terratact::SessionEventLogger", "probing %1"), placeWords(*place)});
+    return Message::listed(std::move(parts), "; ");
+}
+
+}  // namespace terratact
