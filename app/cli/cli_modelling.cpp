@@ -256,7 +256,10 @@ void addStrip(CLI::App& app, Job& job)
     c->add_flag("--blocks", o->grounds.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
     addNumber(*c, "--seed", o->grounds.seed, "Seed of ground, drives and noise");
-    addMethod(*c, o->settings);
+    addChoice(
+        *c, "--method", o->settings.method, methodFromName,
+        "pa|pac|pafc|pafac|clearance|joint|local|trail",
+        fmt::format("Method (default {}); trail remembers the way", name(o->settings.method)));
     c->callback([o, &job] {
         useShippedRobot(o->robot);
         useShippedModel(o->model);

@@ -5,6 +5,7 @@
 #include "app/cli/session_commands.h"
 #include "app/figures/strip_file.h"
 #include "app/recording/session_text.h"
+#include "app/recording/strip_export.h"
 #include "app/recording/what_if.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
@@ -35,6 +36,8 @@ Status exportStrip(const SessionStripOptions& options)
         return written;
     printText(messagesBeside(options.out), "{} m of ground, sections: {}; written to {}\n",
               fmt::format("{:.1f}", groundOf(*strip)), sections, options.out);
+    if (const std::string held = ledgerText(strip->ledger()); !held.empty())
+        printText(messagesBeside(options.out), "{}\n", held);
     return Done{};
 }
 

@@ -7,6 +7,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/bus_text.h"
+#include "app/mission/memory_text.h"
 
 namespace terratact {
 namespace {
@@ -27,7 +28,9 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     const Estimation::Revisions revisions = estimation.revisions();
     viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};
     viewState.estimateSeconds = estimation.seconds();
-    if (viewState.estimate) viewState.memoryWords = translated(estimation.memoryWords());
+    if (viewState.estimate)
+        viewState.memoryWords =
+            translated(withLedger(estimation.memoryWords(), estimation.strip().ledger()));
     viewState.second = {pointer(estimation.second()), revisions.second};
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));

@@ -275,7 +275,7 @@ bool Estimation::restore()
     second_ = std::move(aside.second);
     memoryWords_ = std::move(aside.memoryWords);
     memory_ = std::move(aside.memory);
-    strip_.enter(*estimate_, estimateJob_);
+    strip_.enter(*estimate_, estimateJob_, readings_);
     whyNone_ = {};
     emit stands(false);
     adviseAnew();  // if the limit has changed meanwhile
@@ -355,7 +355,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     counts_.contradicting += left.contradicts || right.contradicts ? 1 : 0;
     advice_ = {};
     estimateJob_ = job;
-    strip_.enter(estimate, job);
+    strip_.enter(estimate, job, readings_);
     emit stands(false);
     announce(estimate);
     unadvised_ = true;

@@ -42,6 +42,16 @@ Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory
     return remembered(*memory);
 }
 
+Message withLedger(const Message& words, const StripLedger& ledger)
+{
+    const StripScore all = ledger.all();
+    if (all.n == 0) return words;
+    const Message held(TR_NOOP("terratact::Estimation", "bands held: %1 of %2"),
+                       static_cast<int>(all.in80), static_cast<int>(all.n));
+    if (words.empty()) return held;
+    return {TR_NOOP("terratact::Estimation", "%1, %2"), words, held};
+}
+
 std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)
 {
     if (why == SectionStart::First) return std::nullopt;

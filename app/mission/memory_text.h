@@ -5,6 +5,7 @@
 #include "app/mission/way_memory.h"
 #include "core/base/message.h"
 #include "core/infer/estimate/two_track_estimate.h"
+#include "core/strip/strip_ledger.h"
 #include "core/strip/strip_section.h"
 
 namespace terratact {
@@ -17,6 +18,10 @@ Message noMemory(const Message& why);
 Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& networks);
 /// Returns the same for an estimate that is there: it cannot use its memory without a current or a force.
 Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory);
+
+/// Returns the text with how often ground was touched again, and how often that was within the 80 % band said before.
+/// Nothing is added before the first such touch.
+Message withLedger(const Message& words, const StripLedger& ledger);
 
 /// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt yet.
 std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh);

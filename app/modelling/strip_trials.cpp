@@ -11,6 +11,7 @@
 #include "app/runtime/parallel.h"
 #include "core/sim/watched_drive.h"
 #include "core/strip/strip.h"
+#include "core/trail/trail_record.h"
 
 namespace terratact {
 namespace {
@@ -42,6 +43,8 @@ struct JudgedBin {
 /// Judged bins of one drive, for this scene alone and for each rule.
 struct JudgedDrive {
     std::array<std::vector<JudgedBin>, kStripRules.size() + 1> bins;
+    StripLedger ledger;  ///< of the shipped rule
+    std::array<std::size_t, kScoredBy.size()> inTruth{};
     std::size_t scenes = 0;
     double way = 0.0;
 };
@@ -71,7 +74,7 @@ std::vector<SeenBin> sceneAlone(const TerrainEstimate& e)
 class StripDrive {
 public:
     StripDrive(const EstimatorBundle& bundle, const TerrainProfile& ground)
-        : bundle_(bundle), ground_(ground)
+        : bundle_(bundle), ground_(ground), record_(bundle.robot)
     {
         strips_.reserve(kStripRules.size());
         for (const StripRule& rule : kStripRules)
@@ -82,8 +85,12 @@ public:
     {
         for (const WatchedLine& line : lines) {
             for (Strip& strip : strips_) strip.add(line.measurement);
-            if (line.truth) measure(line, settings);
+            if (line.truth)
+                measure(line, settings);
+            else
+                record_.add(line.measurement);
         }
+        judged_.ledger = strips_[0].ledger();
         if (!lines.empty())
             judged_.way = lines.back().measurement.travelled.value_or(0.0)
                         - lines.front().measurement.travelled.value_or(0.0);
@@ -93,17 +100,37 @@ public:
 private:
     void measure(const WatchedLine& line, const Settings& settings)
     {
-        const Scene scene{
-            .run = {}, .time = 0.0, .s = proprioception(line.measurement), .truth = {}};
-        const SceneEstimate result = estimateScene(scene, bundle_, settings);
-        if (!result.estimate) return;
+        const TrailHistory history = record_.before(line.measurement);
+        record_.addScene(line.measurement);
+        const auto estimated = estimate(line.measurement, settings, history);
+        if (!estimated) return;
         ++judged_.scenes;
-        judge(0, sceneAlone(*result.estimate), line.imu);
-        const TwoTrackEstimate estimate = equalSides(*result.estimate);
+        judge(0, sceneAlone(*estimated), line.imu);
+        const TwoTrackEstimate entered = equalSides(*estimated);
         for (std::size_t k = 0; k < strips_.size(); ++k) {
             strips_[k].beginScene(line.measurement);
-            strips_[k].enter(estimate, static_cast<std::int64_t>(judged_.scenes));
+            if (k == 0) scoreByTruth(entered, line.imu);
+            strips_[k].enter(entered, static_cast<std::int64_t>(judged_.scenes));
             judge(k + 1, strips_[k].seen().side[0], line.imu);
+        }
+    }
+
+    std::optional<TerrainEstimate> estimate(const Measurement& line, const Settings& settings,
+                                            const TrailHistory& history) const
+    {
+        if (settings.method == Method::Trail)
+            return estimateTerrain(proprioception(line), {}, bundle_.robot, bundle_.models,
+                                   settings, {}, &history);
+        const Scene scene{.run = {}, .time = 0.0, .s = proprioception(line), .truth = {}};
+        return estimateScene(scene, bundle_, settings).estimate;
+    }
+
+    /// Counts the shipped strip's bins that the scene touches and whose true height is within the band.
+    void scoreByTruth(const TwoTrackEstimate& estimate, const Vec2& imu)
+    {
+        for (const StripTouch& touch : strips_[0].touchesOf(estimate)) {
+            const bool isInside = judged({touch.x, touch.said, {}, 0.0, 0.0}, ground_, imu).inside;
+            judged_.inTruth.at(static_cast<std::size_t>(touch.by)) += isInside ? 1U : 0U;
         }
     }
 
@@ -119,6 +146,7 @@ private:
 
     const EstimatorBundle& bundle_;
     const TerrainProfile& ground_;
+    TrailRecord record_;
     std::vector<Strip> strips_;
     JudgedDrive judged_;
 };
@@ -173,6 +201,26 @@ StripResult resultOf(const std::vector<JudgedDrive>& drives, std::size_t result)
     return row;
 }
 
+std::string ledgerTable(const StripFindings& findings)
+{
+    if (findings.ledger.all().n == 0) return {};
+    std::string text = fmt::format("\nlater touches against the shipped strip before them\n"
+                                   "{:28} {:>7} {:>7} {:>7} {:>7} {:>7}\n",
+                                   "by", "bins", "in 80%", "truth", "mean z", "rms z");
+    for (const ScoredBy by : kScoredBy) {
+        const StripScore& score = findings.ledger.of(by);
+        if (score.n == 0) continue;
+        const auto percent = [&](std::size_t in) {
+            return 100.0 * static_cast<double>(in) / static_cast<double>(score.n);
+        };
+        text += fmt::format("{:28} {:7} {:7.1f} {:7.1f} {:7.2f} {:7.2f}\n", name(by), score.n,
+                            percent(score.in80),
+                            percent(findings.inTruth.at(static_cast<std::size_t>(by))),
+                            score.meanZ(), score.rmsZ());
+    }
+    return text;
+}
+
 }  // namespace
 
 StripFindings tryStrips(const EstimatorBundle& bundle, const StripTrial& trial)
@@ -187,6 +235,9 @@ StripFindings tryStrips(const EstimatorBundle& bundle, const StripTrial& trial)
         findings.drives += drive.scenes > 0 ? 1 : 0;
         findings.scenes += drive.scenes;
         findings.way += drive.scenes > 0 ? drive.way : 0.0;
+        findings.ledger += drive.ledger;
+        for (std::size_t by = 0; by < kScoredBy.size(); ++by)
+            findings.inTruth[by] += drive.inTruth[by];
     }
     if (findings.drives > 0) findings.way /= static_cast<double>(findings.drives);
     findings.results.reserve(kStripRules.size() + 1);
@@ -211,7 +262,7 @@ std::string stripTable(const StripFindings& findings)
                                     kMillimetres * e.mean, 100.0 * e.in80, kMillimetres * e.width);
         }
     }
-    return text;
+    return text + ledgerTable(findings);
 }
 
 }  // namespace terratact

@@ -9,6 +9,7 @@
 
 #include "app/modelling/scene_estimates.h"
 #include "core/strip/height_band.h"
+#include "core/strip/strip_ledger.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
@@ -57,11 +58,15 @@ struct StripFindings {
     std::size_t drives = 0, scenes = 0;
     double way = 0.0;  ///< mean distance of the drives [m]
     std::vector<StripResult> results;
+    StripLedger ledger{};  ///< of the shipped strip (Strip::ledger())
+    /// Of its bins, by ScoredBy: those whose true height is within the band.
+    std::array<std::size_t, kScoredBy.size()> inTruth{};
 };
 
 /// Drives the simulated robot with telemetry over each ground (core/sim/watched_drive.h) and enters the estimates of
 /// its scenes into strips, one for each rule of fusion. After each scene, every bin of the section is compared with the
-/// true ground as seen from the true pose. The scenes' own estimates are the first result.
+/// true ground as seen from the true pose. The scenes' own estimates are the first result. The method Trail gets the
+/// memory of the way.
 StripFindings tryStrips(const EstimatorBundle& bundle, const StripTrial& trial);
 
 /// Returns a table for the terminal [mm].

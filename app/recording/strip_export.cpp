@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,20 @@ std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<
         "drift_sd_m,felt,time_s,estimate\n";
     for (const StripPoint& point : pointsOfSection(strip, robot, section))
         text += csvLineOf(point, strip);
+    return text;
+}
+
+std::string ledgerText(const StripLedger& ledger)
+{
+    constexpr std::array kTouchWords{"contacts", "probes", "passes"};
+    std::string text;
+    for (const ScoredBy by : kScoredBy) {
+        const StripScore& score = ledger.of(by);
+        if (score.n == 0) continue;
+        text += text.empty() ? "80 % bands held at later " : ", ";
+        text += fmt::format("{}: {} of {}", kTouchWords.at(static_cast<std::size_t>(by)),
+                            score.in80, score.n);
+    }
     return text;
 }
 

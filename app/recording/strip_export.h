@@ -21,6 +21,10 @@ namespace terratact {
 /// section.
 std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
+/// Returns how well the strip's 80 % bands held when their ground was touched again (Strip::ledger()), such as
+/// "80 % bands held at later contacts: 41 of 50, passes: 9 of 10". Empty: nothing was touched again.
+std::string ledgerText(const StripLedger& ledger);
+
 /// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]
 /// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1 right),
 /// felt (order of FeltBy), section. Each section has a frame of its own. section: as above.

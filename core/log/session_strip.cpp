@@ -74,7 +74,7 @@ void SessionStrip::enter(const EstimateRow* row)
     if (!row) return;
     entered_ = row->id;
     stands_ = true;
-    strip_.enter(row->estimate, row->id);
+    strip_.enter(row->estimate, row->id, row->readings);
 }
 
 /// Returns true if an exploration of this console runs, which "abort" then ends instead of an estimate.

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "core/infer/estimate/felt_horizon.h"
+#include "core/strip/scene_contacts.h"
 
 namespace terratact {
 namespace {
@@ -17,10 +19,18 @@ std::optional<double> nearerHorizon(const TwoTrackEstimate& estimate)
     return left && right ? std::optional(std::min(*left, *right)) : std::nullopt;
 }
 
+StripLedger scored(const std::vector<StripTouch>& touches)
+{
+    StripLedger ledger;
+    for (const StripTouch& touch : touches)
+        ledger.add(touch.by, touch.said, touch.felt, touch.feltSd);
+    return ledger;
+}
+
 }  // namespace
 
 Strip::Strip(const RobotModel& robot, const StripLimits& limits, Fusion fusion)
-    : limits_(limits), fusion_(fusion), way_(robot, limits.way)
+    : robot_(robot), limits_(limits), fusion_(fusion), way_(robot, limits.way)
 {
 }
 
@@ -28,14 +38,21 @@ void Strip::beginScene(const Measurement& scene)
 {
     isSceneEntered_ = false;
     replaced_.clear();
+    scores_.beginScene();
+    scene_ = scene;
     way_.beginScene(scene);
+}
+
+const StripSection* Strip::sectionOf(std::int64_t segment) const
+{
+    for (const StripSection& section : sections_)
+        if (section.segment == segment) return &section;
+    return nullptr;
 }
 
 StripSection* Strip::sectionOf(std::int64_t segment)
 {
-    for (StripSection& section : sections_)
-        if (section.segment == segment) return &section;
-    return nullptr;
+    return const_cast<StripSection*>(std::as_const(*this).sectionOf(segment));
 }
 
 StripSection& Strip::sectionOfScene(const WayPose& pose)
@@ -72,10 +89,54 @@ PoseOffset Strip::offsetOf(const TwoTrackEstimate& estimate)
     return matched(prior, bins);
 }
 
-void Strip::enter(const TwoTrackEstimate& estimate, std::int64_t id)
+/// Returns what the strip says of a column, as seen from the scene's pose by odometry alone. Empty: it tells nothing of
+/// the line that the robot touches there. onFlippers: the line of the flippers, not of the track.
+std::optional<HeightBand> Strip::saidOf(const StripSection& section, const WayPose& pose,
+                                        int column, std::size_t side, bool onFlippers) const
+{
+    const auto found = section.columns.find(column);
+    if (found == section.columns.end() || !found->second.at(side)) return std::nullopt;
+    const StripBin& held = *found->second.at(side);
+    if (!source(held).onePlane && held.onFlipperLine != onFlippers) return std::nullopt;
+    return bandFrom(held, section, pose);
+}
+
+std::vector<StripTouch> Strip::touchesOf(const TwoTrackEstimate& estimate) const
+{
+    std::vector<StripTouch> touches;
+    const StripSection* const section = way_.scene() ? sectionOf(way_.scene()->segment) : nullptr;
+    if (!section) return touches;
+    const WayPose pose = way_.scenePose();
+    const Vec2 imu = section->imuAt(pose);
+    const auto add = [&](ScoredBy by, std::size_t side, int column, bool onFlippers, double height,
+                         double sd) {
+        const auto said = saidOf(*section, pose, column, side, onFlippers);
+        if (said && said->sd + sd > 0.0)
+            touches.insert(touches.end(),
+                           {by, side, column * kBinWidth - imu.x, *said, height, sd});
+    };
+    const Settings& settings = estimate.side[0].settings;
+    const auto contacts = sceneContacts(robot_, scene_, estimate.onePlane, settings);
+    for (std::size_t side = 0; side < (estimate.onePlane ? 1U : 2U); ++side) {
+        for (const Contact& contact : contacts.at(side))
+            add(ScoredBy::Contact, side,
+                static_cast<int>(std::lround((imu.x + contact.x) / kBinWidth)), true,
+                contact.height, settings.contactSd);
+        for (const auto& [column, bin] : binsOf(estimate.side.at(side), {imu.x, 0.0}, 0))
+            if (bin.felt == FeltBy::Track)
+                add(ScoredBy::Pass, side, column, bin.onFlipperLine, bin.band.height, bin.band.sd);
+    }
+    return touches;
+}
+
+void Strip::enter(const TwoTrackEstimate& estimate, std::int64_t id,
+                  std::span<const ArmReading> arm)
 {
     if (!way_.scene()) return;
-    removeLast();
+    scores_.addProbes(arm);
+    takeOut();
+    if (!scores_.hasTouches()) scores_.addTouches(scored(touchesOf(estimate)));
+    scores_.show(estimate);
     const std::int64_t number = ++lastNumber_;
     const WayPose pose = way_.settle(offsetOf(estimate));
     const StripWay::ScenePose& scene = *way_.scene();
@@ -124,6 +185,12 @@ void Strip::place(StripSection& section, std::size_t side, const EnteredBin& ent
 }
 
 void Strip::removeLast()
+{
+    takeOut();
+    scores_.takeBack();
+}
+
+void Strip::takeOut()
 {
     if (!isSceneEntered_) return;
     isSceneEntered_ = false;

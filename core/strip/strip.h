@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/strip/scene_scores.h"
 #include "core/strip/strip_section.h"
 #include "core/strip/strip_way.h"
 
@@ -55,12 +57,22 @@ struct SeenStrip {
     bool operator==(const SeenStrip&) const = default;
 };
 
+/// A touch of ground that the strip tells of.
+struct StripTouch {
+    ScoredBy by = ScoredBy::Contact;
+    std::size_t side = 0;             ///< 0: left, or both of one plane; 1: right
+    double x = 0.0;                   ///< [m] centre of the strip's bin, forward from the IMU
+    HeightBand said;                  ///< [m] DEM frame of the scene
+    double felt = 0.0, feltSd = 0.0;  ///< [m] height of the touch
+};
+
 /// Ground felt along the driven path: bins of 0.1 m in an odometry frame, left and right. Every finished estimate is
 /// entered at the pose of its scene. The ground that it shares with the strip first corrects the odometry since the
 /// scene before (strip_match.h). Where it tells of a bin that an earlier estimate told of, `fusion` decides. The errors
 /// of successive estimates are one error, so their agreement is no further evidence. If the two contradict each other by
 /// more than kContradiction sd, the newer one stands. A bin keeps the moment at which it was felt. Seen from the robot,
-/// its sd grows with the way since then. A break begins a new section: nothing is joined over it.
+/// its sd grows with the way since then. A break begins a new section: nothing is joined over it. Ground that is touched
+/// again scores what was said of it (ledger()).
 class Strip {
 public:
     static constexpr double kContradiction = 3.0;
@@ -76,9 +88,11 @@ public:
     /// Marks the pose of a scene that will be estimated. It may be one of the last lines, while the robot stands.
     void beginScene(const Measurement& scene);
     /// Enters an estimate at the pose of the last scene. An estimate of the same scene that was entered before is
-    /// replaced. Without odometry nothing is entered.
-    void enter(const TwoTrackEstimate& estimate, std::int64_t id);
-    /// Takes out the estimate of the last scene.
+    /// replaced. Without odometry nothing is entered. arm: all readings of the scene so far. What was said before of
+    /// the ground that is touched now is scored first (ledger()).
+    void enter(const TwoTrackEstimate& estimate, std::int64_t id,
+               std::span<const ArmReading> arm = {});
+    /// Takes out the estimate of the last scene, and what its contacts and passes scored.
     void removeLast();
     /// Begins a new section, because the operator cleared the ground or the model has changed.
     void endSection() { way_.end(SectionStart::Cleared); }
@@ -94,6 +108,15 @@ public:
                         const WayPose& pose) const;
     /// Returns why nothing is seen: the last break, until an estimate is entered. Empty: something is seen.
     std::optional<SectionStart> whyNothing() const;
+    /// Returns the touches of the last scene on ground that the strip tells of, before its estimate is entered. What was
+    /// said is seen from the scene's pose by odometry alone. Neither that pose nor the band uses the scene.
+    ///   Contact  height from the scene's readings alone (scene_contacts.h), with Settings::contactSd
+    ///   Pass     bins on which the tracks stand, with the estimate's height and sd. An estimate by Trail also knows
+    ///            earlier readings, so it is a less independent judge.
+    std::vector<StripTouch> touchesOf(const TwoTrackEstimate& estimate) const;
+    /// Returns how well bands held when their ground was touched again: the touches of every scene (touchesOf()) by its
+    /// first estimate, and the arm's readings against the band that its scene showed before them.
+    StripLedger ledger() const { return scores_.all(); }
 
 private:
     /// A bin before the last scene's estimate was entered.
@@ -106,14 +129,19 @@ private:
 
     StripSection& sectionOfScene(const WayPose& pose);
     StripSection* sectionOf(std::int64_t segment);
+    const StripSection* sectionOf(std::int64_t segment) const;
     PoseOffset offsetOf(const TwoTrackEstimate& estimate);
+    std::optional<HeightBand> saidOf(const StripSection& section, const WayPose& pose, int column,
+                                     std::size_t side, bool onFlippers) const;
     Fusion ruleFor(FeltBy older, FeltBy newer) const;
     void place(StripSection& section, std::size_t side, const EnteredBin& entered,
                const WayPose& pose);
+    void takeOut();
     void dropUnused();
     void dropOldest();
     std::size_t columns() const;
 
+    RobotModel robot_;
     StripLimits limits_;
     Fusion fusion_;
     StripWay way_;
@@ -122,6 +150,8 @@ private:
     std::int64_t lastNumber_ = 0;
     bool isSceneEntered_ = false;
     std::vector<Replaced> replaced_;
+    Measurement scene_;  ///< the last one
+    SceneScores scores_;
 };
 
 }  // namespace terratact

@@ -53,6 +53,8 @@ public:
     const std::optional<ScenePose>& scene() const { return scene_; }
     /// Returns the prior covariance of the way to the scene.
     PoseCovariance prior() const;
+    /// Returns the pose of the scene by odometry since the scene before, without its own correction.
+    WayPose scenePose() const { return poseAt(scene_->at, scene_->chain, prior()); }
     /// Corrects the way to the scene and returns its pose. Does nothing to the way if the segment has ended since.
     WayPose settle(const PoseOffset& offset);
     /// Takes the correction back.

@@ -6532,6 +6532,14 @@ F1</translation>
         <source>memory: %1 m · earlier presses: %2</source>
         <translation>paměť: %1 m · dřívější přítlaky: %2</translation>
     </message>
+    <message>
+        <source>bands held: %1 of %2</source>
+        <translation>pásma platila: %1 z %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EventList</name>

@@ -6532,6 +6532,14 @@ F1</translation>
         <source>memory: %1 m · earlier presses: %2</source>
         <translation>Gedächtnis: %1 m · frühere Drücke: %2</translation>
     </message>
+    <message>
+        <source>bands held: %1 of %2</source>
+        <translation>Bänder hielten: %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EventList</name>

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/mission/memory_text.h"
 #include "app/mission/session_event_logger.h"
 #include "app/recording/session_recorder.h"
 #include "app/recording/what_if.h"
@@ -41,6 +42,17 @@ SimulatedRobot::Options atStart()
     SimulatedRobot::Options options;
     options.startX = 1.5;
     return options;
+}
+
+TEST(MemoryText, TellsHowOftenBandsHeld)
+{
+    const Message words(TR_NOOP("terratact::Estimation", "no memory: %1"), verbatim("x"));
+    EXPECT_EQ(withLedger(words, {}), words) << "nothing was touched again";
+    StripLedger ledger;
+    ledger.add(ScoredBy::Contact, {0.0, 0.01, -0.013, 0.013}, 0.0, 0.0);
+    ledger.add(ScoredBy::Pass, {0.0, 0.01, -0.013, 0.013}, 0.1, 0.0);
+    EXPECT_EQ(translated(withLedger(words, ledger)), "no memory: x, bands held: 1 of 2");
+    EXPECT_EQ(translated(withLedger({}, ledger)), "bands held: 1 of 2");
 }
 
 struct OneGround : testing::Test, SimulatedExploration {

@@ -21,6 +21,21 @@ TEST(StripTrials, aTableNamesPlacesAndErrorsInMillimetres)
     EXPECT_EQ(table.find("ahead"), std::string::npos) << "a place without bins has no row";
 }
 
+TEST(StripTrials, aTableComparesLaterTouchesWithTheTruth)
+{
+    StripFindings findings{.drives = 1, .scenes = 2, .way = 1.0, .results = {}};
+    EXPECT_EQ(stripTable(findings).find("later touches"), std::string::npos);
+    const HeightBand said{0.0, 0.01, -0.0128, 0.0128};
+    for (const double felt : {0.0, 0.0, 0.0, 0.03})
+        findings.ledger.add(ScoredBy::Pass, said, felt, 0.0);
+    findings.inTruth[static_cast<std::size_t>(ScoredBy::Pass)] = 2;
+    const std::string table = stripTable(findings);
+    EXPECT_NE(table.find("pass                               4    75.0    50.0    0.75    1.50\n"),
+              std::string::npos)
+        << table;
+    EXPECT_EQ(table.find("contact"), std::string::npos) << "no touch, no row";
+}
+
 TEST(DrivenGrounds, randomOnesDependOnTheSeedAlone)
 {
     const auto some = drivenGrounds({.seed = 3}, 2), same = drivenGrounds({.seed = 3}, 2);

@@ -55,6 +55,16 @@ TEST_F(StripExport, plyHasAVertexForEachBin)
     EXPECT_THROW(stripPly(strip, robot, 3), std::invalid_argument);
 }
 
+TEST(LedgerText, namesTheTouches)
+{
+    StripLedger ledger;
+    EXPECT_EQ(ledgerText(ledger), "");
+    ledger.add(ScoredBy::Contact, {0.0, 0.01, -0.013, 0.013}, 0.0, 0.0);
+    ledger.add(ScoredBy::Contact, {0.0, 0.01, -0.013, 0.013}, 0.1, 0.0);
+    ledger.add(ScoredBy::Pass, {0.0, 0.01, -0.013, 0.013}, 0.0, 0.0);
+    EXPECT_EQ(ledgerText(ledger), "80 % bands held at later contacts: 1 of 2, passes: 1 of 1");
+}
+
 TEST(StripPoints, followACurve)
 {
     const RobotModel robot = absolem();
