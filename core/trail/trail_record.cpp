@@ -168,12 +168,13 @@ void TrailRecord::add(const Measurement& line)
     const std::optional<WayPose> pose = way_.now();
     if (!pose) return;
     addOdometry(line);
-    if (!begin_) begin_ = pose->way;
+    begin_ = std::min(begin_.value_or(*line.travelled), *line.travelled);
+    dropAhead(*line.travelled);
     const bool isNear = !places_.empty() && pose->way - lastLine_ < kStep;
     if (isNear) return;
     lastLine_ = pose->way;
     places_.push_back(placeOf(*pose, line, false));
-    dropOld(pose->way);
+    dropOld(pose->way, *line.travelled);
 }
 
 void TrailRecord::addOdometry(const Measurement& line)
@@ -190,17 +191,25 @@ void TrailRecord::addOdometry(const Measurement& line)
     }
 }
 
-void TrailRecord::dropOld(double way)
+/// Drops what was learnt ahead of the robot, which has driven back.
+void TrailRecord::dropAhead(double travelled)
 {
-    while (!places_.empty() && way - places_.front().way > kLength) places_.pop_front();
+    while (!places_.empty() && places_.back().travelled - travelled >= kStep) places_.pop_back();
+    for (Press& press : presses_)
+        press.isAhead = press.isAhead || press.at.line.travelled - travelled >= kStep;
+}
+
+void TrailRecord::dropOld(double way, double travelled)
+{
+    for (; !places_.empty() && way - places_.front().way > kLength; places_.pop_front())
+        begin_ = std::max(*begin_, places_.front().travelled);
     while (!presses_.empty() && way - presses_.front().pose.way > kLength) presses_.pop_front();
-    begin_ = std::max(*begin_, way - kLength);
+    begin_ = std::max(*begin_, travelled - kLength);
 }
 
 double TrailRecord::length() const
 {
-    const std::optional<WayPose> pose = way_.now();
-    return pose && begin_ ? pose->way - *begin_ : 0.0;
+    return odometry_ && begin_ ? odometry_->now().line.travelled - *begin_ : 0.0;
 }
 
 std::optional<WayPose> TrailRecord::poseAt(const Measurement& scene) const
@@ -271,22 +280,22 @@ TrailHistory TrailRecord::before(const Measurement& scene, double way) const
     TrailHistory history = emptyHistory(scene.pitch, scene.roll);
     const std::optional<WayPose> pose = poseAt(scene);
     if (!pose) return history;
-    history.way = std::clamp(pose->way - *begin_, 0.0, std::min(way, kTrailReach));
-    writeAttitude(history, pose->way, *scene.travelled);
+    history.way = std::clamp(*scene.travelled - *begin_, 0.0, std::min(way, kTrailReach));
+    writeAttitude(history, *scene.travelled);
     writeLowest(history, scene, *pose);
-    writePressed(history, *pose);
+    writePressed(history, scene, *pose);
     writeFelt(history, scene, *pose);
     return history;
 }
 
-void TrailRecord::writeAttitude(TrailHistory& history, double now, double travelled) const
+void TrailRecord::writeAttitude(TrailHistory& history, double travelled) const
 {
     for (std::size_t k = 0; k < kTrailPlaces; ++k) {
         const double back = kTrailPlaceStep * static_cast<double>(k + 1);
         double pitch = 0.0, roll = 0.0;
         int count = 0;
         for (const Place& place : places_) {
-            if (place.isScene || now - place.way > history.way + kRounding
+            if (place.isScene || travelled - place.travelled > history.way + kRounding
                 || std::abs(travelled - place.travelled - back) > kWindow)
                 continue;
             pitch += place.pitch;
@@ -306,7 +315,7 @@ void TrailRecord::writeLowest(TrailHistory& history, const Measurement& scene,
     for (std::size_t p = 0; p < kTrailPlanes; ++p) {
         TrailEnvelope lowest = own.envelope[p];
         for (const Place& place : places_) {
-            if (pose.way - place.way > history.way + kRounding) continue;
+            if (*scene.travelled - place.travelled > history.way + kRounding) continue;
             const double dx = place.imu.x - pose.imu.x, dz = place.imu.z - pose.imu.z;
             for (std::size_t k = 0; k < kEnvelopePoints; ++k) {
                 const double x = kEnvelopeBegin + kEnvelopeStep * static_cast<double>(k);
@@ -318,18 +327,20 @@ void TrailRecord::writeLowest(TrailHistory& history, const Measurement& scene,
     }
 }
 
-bool TrailRecord::isBefore(const Press& press, const WayPose& pose, const TrailHistory& history)
+bool TrailRecord::isBefore(const Press& press, const Measurement& scene, const WayPose& pose,
+                           double reach)
 {
+    const double behind = *scene.travelled - press.at.line.travelled;
     const double way = pose.way - press.pose.way;
-    return way <= history.way + kRounding && std::abs(way) >= kStep;  // else the scene itself
+    return std::abs(behind) <= reach + kRounding
+        && std::abs(way) >= kStep;  // else the scene itself
 }
 
-std::optional<TrailRecord::Carried> TrailRecord::carried(const Press& press,
-                                                         const TrailHistory& history,
+std::optional<TrailRecord::Carried> TrailRecord::carried(const Press& press, double reach,
                                                          const Measurement& scene,
                                                          const WayPose& pose) const
 {
-    if (!scene.turned || !isBefore(press, pose, history)) return std::nullopt;
+    if (!scene.turned || !isBefore(press, scene, pose, reach)) return std::nullopt;
     const ReckonedState now = odometry_->after(odometryOf(scene));
     TiltRange tilt = press.tilt;
     tilt.pitch = std::max(tilt.pitch, std::abs(scene.pitch - press.at.line.pitch));
@@ -350,7 +361,8 @@ void TrailRecord::writeFelt(TrailHistory& history, const Measurement& scene,
 {
     std::array<std::vector<GroundStretch>, kTrailPlanes> felt;
     for (const Press& press : presses_) {
-        const std::optional<Carried> to = carried(press, history, scene, pose);
+        if (press.isAhead) continue;
+        const std::optional<Carried> to = carried(press, history.way, scene, pose);
         if (!to) continue;
         for (std::size_t p = 0; p < kTrailPlanes; ++p)
             for (const GroundStretch& pressed : press.pressed[p])
@@ -371,7 +383,7 @@ void TrailRecord::writeArm(TrailHistory& history, const Measurement& scene,
 {
     std::array<std::array<std::vector<CarriedReading>, kBins>, kTrailPlanes> readings;
     for (const Press& press : presses_) {
-        const std::optional<Carried> to = carried(press, history, scene, pose);
+        const std::optional<Carried> to = carried(press, kTrailReach, scene, pose);
         if (!to) continue;
         for (const ArmReading& reading : press.arm) {
             const double x = binCentre(reading.bin) + to->dx;
@@ -387,10 +399,12 @@ void TrailRecord::writeArm(TrailHistory& history, const Measurement& scene,
             if (!readings[p][bin].empty()) writeArmBin(history.ground[p], bin, readings[p][bin]);
 }
 
-void TrailRecord::writePressed(TrailHistory& history, const WayPose& pose) const
+void TrailRecord::writePressed(TrailHistory& history, const Measurement& scene,
+                               const WayPose& pose) const
 {
     for (const Press& press : presses_) {
-        if (!isBefore(press, pose, history)) continue;
+        if (press.isAhead) continue;
+        if (!isBefore(press, scene, pose, history.way)) continue;
         ++history.presses;
         const double dx = press.pose.imu.x - pose.imu.x, dz = press.pose.imu.z - pose.imu.z;
         for (std::size_t p = 0; p < kTrailPlanes; ++p)

@@ -22,6 +22,9 @@ using TrailEnvelope = std::array<double, kEnvelopePoints>;
 /// Record of the last stretch of way: attitude and envelope of the robot every kStep, and the forces
 /// of every scene. Dead reckoning (core/strip/dead_reckoning.h) places them; a break of the way
 /// (core/strip/strip_way.h) empties the record. At most kLength of way, below 1 MB. It has no clock.
+/// The record is that of a way forward. Where the robot drives back, what it learnt at the places that
+/// lie ahead then is dropped, except the arm's readings. The networks know ways forward alone: on one
+/// that turns back, their heights are too low.
 class TrailRecord {
 public:
     static constexpr double kLength = 3.0;  ///< [m]
@@ -70,7 +73,7 @@ public:
 
     /// Returns why nothing is remembered before the present stretch.
     SectionStart why() const { return way_.why(); }
-    /// Returns the way that the record knows [m]; 0 without odometry.
+    /// Returns how far the record reaches back along the tracks [m]; 0 without odometry.
     double length() const;
 
 private:
@@ -95,18 +98,22 @@ private:
         std::array<Elements, kTrailPlanes> elements{};
         std::array<std::vector<GroundStretch>, kTrailPlanes> pressed{};  ///< from the IMU [m]
         std::vector<ArmReading> arm{};
+        bool isAhead =
+            false;  ///< the robot has driven back from there: the arm's readings alone count
     };
 
     /// Returns true if a press is part of the history of a later pose.
-    static bool isBefore(const Press& press, const WayPose& pose, const TrailHistory& history);
+    static bool isBefore(const Press& press, const Measurement& scene, const WayPose& pose,
+                         double reach);
     std::optional<WayPose> poseAt(const Measurement& scene) const;
     Place placeOf(const WayPose& pose, const Measurement& line, bool isScene) const;
     void forgetAfterBreak();
     void addOdometry(const Measurement& line);
-    void dropOld(double way);
-    void writeAttitude(TrailHistory& history, double now, double travelled) const;
+    void dropAhead(double travelled);
+    void dropOld(double way, double travelled);
+    void writeAttitude(TrailHistory& history, double travelled) const;
     void writeLowest(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
-    void writePressed(TrailHistory& history, const WayPose& pose) const;
+    void writePressed(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
     /// Where a press lies as seen from a later pose.
     struct Carried {
         ImuMotion since;
@@ -114,9 +121,9 @@ private:
         double sd = 0.0;            ///< [m] added to heights
         double slip = 0.0;          ///< [m] one sd along the way
     };
-    /// Returns it; empty: its heights or its place are too uncertain, or it is no part of the history.
-    std::optional<Carried> carried(const Press& press, const TrailHistory& history,
-                                   const Measurement& scene, const WayPose& pose) const;
+    /// Returns it; empty: its heights or its place are too uncertain, or it lies farther away than `reach`.
+    std::optional<Carried> carried(const Press& press, double reach, const Measurement& scene,
+                                   const WayPose& pose) const;
     void writeArm(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
     void writeFelt(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
 
@@ -124,7 +131,7 @@ private:
     StripWay way_;
     std::int64_t segment_ = 0;
     std::optional<double> newest_;      ///< time of the newest line [s]
-    std::optional<double> begin_;       ///< way of the first line of the record
+    std::optional<double> begin_;       ///< `travelled` where the record begins [m]
     std::optional<Odometry> odometry_;  ///< since the first line of the record
     double lastLine_ = 0.0;             ///< way of the newest line of the record
     std::deque<Place> places_;

@@ -120,8 +120,9 @@ TEST_F(TrailRecordTest, TheBodyThatPassedBoundsTheGround)
     const TrailHistory history = record.before(line);
     for (const std::size_t bin : {std::size_t{0}, std::size_t{2}, std::size_t{5}})
         EXPECT_NEAR(history.ground[0].lowest[bin], groundHeight(), 1e-3) << bin;
+    const double ahead = record.before(line).ground[0].lowest[8];
     drive(-0.4);  // the tracks have been farther ahead than now
-    EXPECT_NEAR(record.before(line).ground[0].lowest[8], groundHeight(), 1e-3);
+    EXPECT_NEAR(record.before(line).ground[0].lowest[8], ahead, 1e-9) << "as on the way there";
 }
 
 TEST_F(TrailRecordTest, APressIsFoundWhereItWas)
@@ -189,7 +190,35 @@ TEST_F(TrailRecordTest, ReversingRemembersNoBinOfUnknownHeight)
     const TrailHistory history = record.before(line);
     EXPECT_EQ(history.ground[1].felt[9], 0);
     EXPECT_EQ(history.ground[1].felt[10], 0);
-    EXPECT_TRUE(history.ground[1].felt[8] != 0) << "0.5 m is known";
+    EXPECT_EQ(history.ground[1].felt[8], 0) << "the networks do not get its height";
+}
+
+/// The networks know ways forward: a way that turns back must look like one.
+TEST_F(TrailRecordTest, AWayBackLeavesTheHistoryOfTheWayThere)
+{
+    drive(0.9);
+    record.addScene(press());
+    drive(0.3);
+    const TrailHistory there = record.before(line);
+    line.pitch = 0.05;
+    line.frontLeft = line.frontRight = -0.5;  // tips far below the ground there
+    drive(0.6);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 4, .height = -0.2});
+    line.frontLeft = line.frontRight = 0.7;
+    drive(-0.6);
+    line.pitch = 0.0;
+    const TrailHistory back = record.before(line);
+    EXPECT_NEAR(back.way, there.way, 1e-9);
+    EXPECT_EQ(back.presses, there.presses) << "the press ahead is not of this way";
+    for (std::size_t k = 0; k < kTrailPlaces; ++k)
+        EXPECT_NEAR(back.pitch[k], there.pitch[k], 1e-12) << k;
+    for (std::size_t i = 0; i < kTrailBins; ++i)
+        EXPECT_NEAR(back.ground[0].load[i], there.ground[0].load[i], 0.01) << i;
+    EXPECT_GT(back.ground[0].armSd[10], 0.0) << "the arm's reading counts wherever it lies";
+    drive(-2.4);
+    EXPECT_EQ(record.before(line).way, 0.0) << "behind the begin nothing is known";
+    EXPECT_EQ(record.length(), 0.0);
 }
 
 TEST_F(TrailRecordTest, TurningLeavesTheFeltGroundAside)
