@@ -57,9 +57,13 @@ CLI::Option* addSimulatedMap(CLI::App& c, SimulatedMapOptions& map)
     auto* poses = addFileOutput(c, "--poses", map.poses, "CSV of the scenes' poses in it to write");
     cloud->needs(poses);
     poses->needs(cloud);
-    addFileOutput(c, "--recording", map.recording,
-                  "MCAP to write: the drives as a robot with ROS records them, for import")
-        ->needs(cloud);
+    auto* recording =
+        addFileOutput(c, "--recording", map.recording,
+                      "MCAP to write: the drives as a robot with ROS records them, for import")
+            ->needs(cloud);
+    c.add_flag("--floor-poses", map.floorPoses,
+               "The recording ends with flipper poses on a flat floor, for robot check")
+        ->needs(recording);
     addNumber(c, "--cloud-noise", map.made.noise, "Sd of the cloud's heights [m]")
         ->check(CLI::Range(0.0, 1.0));
     addNumber(c, "--cloud-holes", map.made.holes, "Share of the ground without points")

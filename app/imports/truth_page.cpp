@@ -144,6 +144,7 @@ void TruthPage::build()
     column->addWidget(split, 1);
     column->addWidget(state_);
     fitColumns();
+    table_->viewport()->installEventFilter(this);
     table_->setFocus();
 }
 
@@ -151,7 +152,9 @@ void TruthPage::fitColumns()
 {
     fitRows(*table_, fontMetrics());
     const auto fit = [this](int column, const QStringList& texts) {
-        table_->setColumnWidth(column, columnWidthFor(*table_, fontMetrics(), column, texts));
+        int& width = widths_.at(static_cast<std::size_t>(column));
+        width = columnWidthFor(*table_, fontMetrics(), column, texts);
+        table_->setColumnWidth(column, width);
     };
     fit(TruthRows::Number, {QStringLiteral("10000")});
     const TruthDecision excluded{.kind = TruthDecision::Kind::Exclude}, accepted{};
@@ -163,6 +166,23 @@ void TruthPage::fitColumns()
     sceneText_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     fit(TruthRows::Cloud, {TruthRows::tr("%1 mm").arg(format::signedNumber(-100.0, 0))});
     fit(TruthRows::Known, {QStringLiteral("22")});
+    fit(TruthRows::Time, {QStringLiteral("1000.0")});
+    showColumnsThatFit();
+}
+
+void TruthPage::showColumnsThatFit()
+{
+    int left = table_->viewport()->width();
+    for (int column = 0; column < TruthRows::kColumns; ++column) {
+        left -= widths_.at(static_cast<std::size_t>(column));
+        table_->setColumnHidden(column, left < 0 && column > TruthRows::Decision);
+    }
+}
+
+bool TruthPage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) showColumnsThatFit();
+    return QWidget::eventFilter(watched, event);
 }
 
 void TruthPage::changeEvent(QEvent* event)

@@ -2,8 +2,10 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <memory>
 
+#include "app/imports/truth_rows.h"
 #include "app/imports/truth_view.h"
 #include "app/modelling/truth_choices.h"
 #include "app/modelling/truth_file.h"
@@ -16,7 +18,6 @@ class QTableView;
 namespace terratact {
 
 class KeyTable;
-class TruthRows;
 
 /// The scenes of a truth file, and the decisions on them: accept, exclude, nudge. Decisions are saved beside the truth
 /// file by themselves. A decisions file that does not fit is left alone; nothing is saved then.
@@ -53,6 +54,9 @@ private:
     void build();
     QPushButton* button(const QString& text, const QString& tip, void (TruthPage::*act)());
     void fitColumns();
+    /// Hides the last columns where the list is narrow; the line of the scene has what they show.
+    void showColumnsThatFit();
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void loadDecisions();
     void decided(bool goesOn);
@@ -80,6 +84,7 @@ private:
 
     TruthRows* rows_ = nullptr;
     QTableView* table_ = nullptr;
+    std::array<int, TruthRows::kColumns> widths_{};  ///< [px] of the columns
     TruthView* view_ = nullptr;
     QLabel* sceneText_ = nullptr;
     QLabel* state_ = nullptr;

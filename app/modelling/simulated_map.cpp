@@ -73,7 +73,9 @@ Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
     if (Status done = writeFileAtomically(options_.cloud, pcdText(cloud)); !done)
         return done.error();
     if (!options_.recording.empty())
-        if (Status done = writeSimulatedRecording(options_.recording, robot, stops); !done)
+        if (Status done = writeSimulatedRecording(options_.recording, robot, stops,
+                                                  options_.floorPoses, options_.seed);
+            !done)
             return done.error();
     return cloud.size();
 }

@@ -17,6 +17,7 @@ struct SimulatedMapOptions {
     std::string cloud;        ///< PCD file to write; empty: no map
     std::string poses;        ///< CSV of poses to write
     std::string recording{};  ///< MCAP to write (simulated_recording.h); empty: none
+    bool floorPoses = false;  ///< the recording ends with poses that calibrate a robot file
     MadeCloud made{};
     double tilt = 0.0;  ///< [rad] of the whole map, cloud and poses, about its y axis
     std::uint64_t seed = 1;

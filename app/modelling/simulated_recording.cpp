@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "app/recording/mcap_writer.h"
 #include "app/runtime/text_output.h"
+#include "core/sim/simulated_robot.h"
 
 namespace terratact {
 namespace {
@@ -15,6 +17,15 @@ constexpr std::uint64_t kSimulatedStep = 50'000'000;                  // [ns]
 constexpr std::uint64_t kBetweenRuns = 60'000'000'000;                // [ns]
 constexpr int kRaisedLines = 20, kPressedLines = 30;
 constexpr double kRaisedFront = 0.7, kRaisedCurrent = 0.1;  // [rad], [A]
+
+/// Held angles of the front and rear flippers [rad] on a flat floor.
+constexpr std::array kHeldPoses{std::pair{0.7, 0.6},   std::pair{-0.2, 0.6},  std::pair{-0.35, 0.6},
+                                std::pair{-0.5, 0.6},  std::pair{-0.65, 0.6}, std::pair{-0.8, 0.6},
+                                std::pair{-0.95, 0.6}, std::pair{0.7, -0.2},  std::pair{0.7, -0.35},
+                                std::pair{0.7, -0.5},  std::pair{0.7, -0.65}, std::pair{0.7, -0.8},
+                                std::pair{-0.4, -0.4}, std::pair{-0.6, -0.3}, std::pair{0.7, 0.6}};
+constexpr int kMovedLines = 60, kHeldLines = 40;  // of each pose: the flippers turn slowly
+constexpr double kFloorTorque = 12.0;             // [N m]
 
 constexpr const char* kAnyObject = R"({"type":"object"})";
 
@@ -61,6 +72,27 @@ public:
         for (int i = 0; i < kPressedLines; ++i) addLine(stop.s, stop.base, true);
     }
 
+    void addFloorPoses(std::uint64_t seed)
+    {
+        time_ += kBetweenRuns;
+        SimulatedRobot::Options options;
+        options.seed = seed;
+        SimulatedRobot sim(robot_, TerrainProfile(std::vector<Vec2>{{-3.0, 0.0}, {5.0, 0.0}}),
+                           options);
+        const auto run = [&](int lines) {
+            for (int i = 0; i < lines; ++i) {
+                sim.step(1e-9 * static_cast<double>(kSimulatedStep));
+                addLine(twoTrackReadings(sim.measure()), {}, false);
+            }
+        };
+        for (const auto& [front, rear] : kHeldPoses) {
+            sim.command(HoldFlippersCommand{front, rear});
+            run(kMovedLines + kHeldLines);
+        }
+        sim.command(PressCommand{kFloorTorque});
+        run(kMovedLines + kHeldLines);
+    }
+
     void finish() { mcap_.finish(); }
 
 private:
@@ -101,12 +133,14 @@ private:
 }  // namespace
 
 Status writeSimulatedRecording(const std::string& path, const RobotModel& robot,
-                               const std::vector<RecordedStop>& stops)
+                               const std::vector<RecordedStop>& stops, bool withFloorPoses,
+                               std::uint64_t seed)
 {
     auto out = TextOutput::begin(path);
     if (!out) return out.error();
     SimulatedRecorder recorder(out->stream(), robot);
     for (const RecordedStop& stop : stops) recorder.add(stop);
+    if (withFloorPoses) recorder.addFloorPoses(seed);
     recorder.finish();
     return out->commit();
 }

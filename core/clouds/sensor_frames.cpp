@@ -38,7 +38,7 @@ Result<SensorFrames> SensorFrames::read(const std::string& base,
         if (!frames.transforms_.joins(base, sensors[i]))
             return fileError(clouds[i],
                              fmt::format("topic {}: /tf_static and /tf hold no transforms from {} "
-                                         "to {}, but {}; give --sensor-mount instead",
+                                         "to {}; there are: {}; give --sensor-mount instead",
                                          printable(topic), shown(base), shown(sensors[i]),
                                          frames.transforms_.links()));
     return frames;

@@ -361,10 +361,11 @@ private:
         const std::string frames =
             fmt::format("from {} to {}", shown(source.baseFrame), shown(attitudeFrame_));
         if (!source.baseFrame.empty() && !transforms_.joins(source.baseFrame, attitudeFrame_))
-            return fault(source.source,
-                         fmt::format("/tf_static and /tf hold no transforms {}, but {}; give "
-                                     "mount_rpy_deg instead of base_frame",
-                                     frames, transforms_.links()));
+            return fault(
+                source.source,
+                fmt::format("/tf_static and /tf hold no transforms {}; there are: {}; give "
+                            "mount_rpy_deg instead of base_frame",
+                            frames, transforms_.links()));
         std::uint64_t zeros = 0, unmounted = 0;
         for (const PoseSample& pose : attitude_) {
             const auto toSensor = toSensorAt(pose.stamp);

@@ -40,10 +40,11 @@ Result<SentPoses> sentPoses(const TransformTree& transforms, const OdometrySourc
                                  TransformTree::kMaxTransforms, frames),
                      0};
     if (!transforms.joins(source.frame, source.baseFrame))
-        return Error{fmt::format("/tf_static and /tf hold no transforms {}, but {}; correct frame "
-                                 "and base_frame of [odometry]",
-                                 frames, transforms.links()),
-                     0};
+        return Error{
+            fmt::format("/tf_static and /tf hold no transforms {}; there are: {}; correct frame "
+                        "and base_frame of [odometry]",
+                        frames, transforms.links()),
+            0};
     SentPoses sent;
     for (const TransformTree::Stamp& time : transforms.stamps(source.frame, source.baseFrame)) {
         const auto pose = transforms.at(source.frame, source.baseFrame, time.stamp);

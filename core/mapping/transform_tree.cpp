@@ -237,7 +237,7 @@ std::string TransformTree::links() const
         list += fmt::format("{}{} → {}", list.empty() ? "" : ", ", printable(link.parent),
                             printable(child));
     }
-    return list.empty() ? "no transform" : list;
+    return list.empty() ? "none" : list;
 }
 
 }  // namespace terratact

@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | simulate:--floor-poses | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | "session report":--mission | \
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
@@ -120,7 +120,7 @@ _terratact_options() {
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
       --drives --spacing --slip --pitch-bias --press-share --gap \
-      --cloud --poses --recording --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
+      --cloud --poses --recording --floor-poses --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
     train) echo --robot --data --tracks --generated --plane --drives --track-drives --networks --epochs --out --seed --scanner-sd \
       --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;

@@ -11,7 +11,7 @@
 namespace terratact::fuzz {
 
 /// Reads bytes in sequence; zeros after the last.
-struct RowBytes {
+struct FuzzBytes {
     const std::uint8_t* data;
     std::size_t left;
 
@@ -39,7 +39,7 @@ struct RowBytes {
 };
 
 /// Writes one value into a column of one row. A value that SQLite rejects, such as a wrong type, changes nothing.
-inline void put(sqlite3* db, const std::string& table, RowBytes& bytes)
+inline void put(sqlite3* db, const std::string& table, FuzzBytes& bytes)
 {
     sqlite3_stmt* columns = nullptr;
     const std::string all = "SELECT * FROM " + table;

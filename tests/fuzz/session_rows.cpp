@@ -76,7 +76,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string& real = realSession();
     file().write(reinterpret_cast<const std::uint8_t*>(real.data()), real.size());
-    RowBytes bytes{data, size};
+    FuzzBytes bytes{data, size};
     sqlite3* const db = openRows(file().path());
     while (bytes.left > 0) {
         const std::uint8_t table = bytes.next() % (kSessionRowTables.size() + 3);

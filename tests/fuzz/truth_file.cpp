@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "app/modelling/truth_choices.h"
 #include "app/modelling/truth_decisions.h"
@@ -24,12 +27,23 @@ const ScratchFile& file()
     return scratch;
 }
 
+/// Writes files beside the scratch file.
+struct ScratchFolder {
+    std::string write(const std::string& name, const std::string& text) const
+    {
+        files.push_back(std::make_unique<ScratchFile>(name));
+        files.back()->write(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+        return files.back()->path();
+    }
+    mutable std::vector<std::unique_ptr<ScratchFile>> files{};
+};
+
 /// Heights of three scenes on a floor with a step.
 const LaserTruth& realTruth()
 {
     static const LaserTruth truth = [] {
-        const TemporaryDirectory directory;
-        return madeTruth(directory, 3);
+        const ScratchFolder folder;
+        return madeTruth(folder, 3);
     }();
     return truth;
 }
@@ -53,7 +67,7 @@ void promiseBins(const SideTruth& side)
     }
 }
 
-void fuzzRows(RowBytes bytes)
+void fuzzRows(FuzzBytes bytes)
 {
     const std::string& real = realTruthFile();
     file().write(reinterpret_cast<const std::uint8_t*>(real.data()), real.size());

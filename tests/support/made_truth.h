@@ -12,13 +12,13 @@
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/terrain/ground_lines.h"
 #include "tests/support/absolem.h"
-#include "tests/support/temporary_directory.h"
 
 namespace terratact {
 
 /// Returns heights of a robot that stands level on a floor with a step ahead, at so many places 0.1 m apart. Its files
-/// are in the directory.
-inline LaserTruth madeTruth(const TemporaryDirectory& directory, int count)
+/// are in the directory, whose write(name, text) returns a path.
+template <class Directory>
+LaserTruth madeTruth(const Directory& directory, int count)
 {
     const RobotModel robot = absolem();
     const TerrainProfile ground{{{-2, 0}, {0.9, 0}, {0.9, 0.2}, {3, 0.2}}};

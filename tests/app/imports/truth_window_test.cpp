@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 #include <QtTest>
 #include <cmath>
@@ -221,6 +222,8 @@ TEST_F(TruthBench, isReadableInEveryThemeAndSize)
             window->resize(size);
             EXPECT_LE(window->minimumHeight(), size.height());
             EXPECT_LE(window->minimumWidth(), size.width());
+            EXPECT_EQ(page->table()->horizontalScrollBar()->maximum(), 0) << "it scrolls sideways";
+            EXPECT_FALSE(page->table()->isColumnHidden(TruthRows::Decision));
             press(Qt::Key_X);
             press(Qt::Key_U);
             const QByteArray folder = qgetenv("TERRATACT_PICTURES");

@@ -11,6 +11,7 @@
 #include "core/store/sqlite.h"
 #include "tests/support/made_truth.h"
 #include "tests/support/refusal.h"
+#include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {

@@ -180,7 +180,7 @@ TEST_F(SeriesFiles, whatIsMissingIsNamed)
               std::string::npos);
     const std::string flat = R"({"x":0,"y":0,"z":0,"w":1})";
     EXPECT_NE(whyNot(robotFile(flat).file(), robotMapping("base_frame = \"world\"\n"))
-                  .find("hold no transforms from 'world' to 'imu', but base → imu; give "
+                  .find("hold no transforms from 'world' to 'imu'; there are: base → imu; give "
                         "mount_rpy_deg"),
               std::string::npos);
     EXPECT_NE(whyNot(robotFile(flat, 7200 * kSecond).file(), robotMapping(""))
@@ -302,7 +302,7 @@ TEST_F(SeriesFiles, framesThatAreMissingAreTold)
     ASSERT_EQ(remarks.size(), 1U);
     EXPECT_EQ(remarks[0],
               "topic /tf, [odometry]: /tf_static and /tf hold no transforms from 'world' to "
-              "'base_link', but odom → base_link, base → imu, map → odom; correct frame and "
+              "'base_link'; there are: odom → base_link, base → imu, map → odom; correct frame and "
               "base_frame of [odometry]; the way counts as not measured");
 }
 

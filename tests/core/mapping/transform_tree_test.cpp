@@ -117,7 +117,7 @@ TEST(TransformTree, brokenTransformsAreIgnored)
     tree.add(kFixedTransforms, *jsonValue(R"({"transforms":[{"child_frame_id":"imu"}]})"), 0);
     tree.add("/other", *jsonValue(transformText("base", "imu", turned(1, 0, 0), 0)), 0);
     EXPECT_FALSE(tree.joins("base", "imu"));
-    EXPECT_EQ(tree.links(), "no transform");
+    EXPECT_EQ(tree.links(), "none");
 }
 
 TEST(TransformTree, framesThatNobodyWantsTakeNoMemory)
