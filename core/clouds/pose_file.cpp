@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/text.h"
 #include "core/clouds/cloud_fields.h"
@@ -17,7 +18,8 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kMaxPoses = 5'000'000;
-constexpr double kMinJump = 0.3;      // [m] a shorter one is noise
+constexpr double kMinJump = 0.3;                   // [m] a shorter one is noise
+constexpr std::int64_t kDisorder = 1'000'000'000;  // [ns]
 constexpr double kUnitLength = 0.05;  // most difference of a quaternion's length from 1
 
 /// Columns of a pose, in this order.
@@ -205,7 +207,11 @@ Result<PoseTracks> readSentPoses(Recording& recording, const Mapping& mapping,
     const auto sent = sentPoses(transforms, source, mapping.byHeader);
     if (!sent) return fileError(recording.path(), sent.error().text);
     PoseCollector collector(limits);
+    std::optional<std::int64_t> last;
     for (const SentPose& p : sent->poses) {
+        // Recorders write messages of one moment in any order.
+        if (last && p.time <= *last && *last - p.time < kDisorder) continue;
+        last = p.time;
         const Eigen::Vector3d& at = p.pose.place;
         const Eigen::Quaterniond& q = p.pose.turn;
         const std::string refusal = collector.add("", {1e-9 * static_cast<double>(p.time), at.x(),

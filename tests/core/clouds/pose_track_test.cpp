@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
+#include "tests/support/csv_mapping.h"
+#include "tests/support/mcap_bytes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/transform_text.h"
 
 namespace terratact {
 namespace {
@@ -68,6 +72,26 @@ TEST_F(Poses, everyRefusalNamesTheLine)
     EXPECT_TRUE(refuses("time,x,y,z,qx,qy,qz\n", {"line 1: names no column qw"}));
     EXPECT_TRUE(refuses("", {"holds no pose"}));
     EXPECT_TRUE(refuses(std::string("\0\1", 2), {"line 1: holds bytes that are no text"}));
+}
+
+TEST_F(Poses, transformsMayBeRecordedOutOfOrder)
+{
+    const Mapping mapping =
+        parsedMapping(csvMapping("[odometry]\nframe = \"map\"\nbase_frame = \"base\"\n"));
+    constexpr std::int64_t kSecond = 1'000'000'000;
+    McapBytes mcap;
+    mcap.channel(1, 0, "/tf", "json");
+    for (const auto& [stamp, recorded] : {std::pair{10, 12}, {11, 12}, {13, 14}}) {
+        const FramePose pose{{0.1 * stamp, 0, 0}, Eigen::Quaterniond::Identity()};
+        mcap.message(1, static_cast<std::uint64_t>(recorded * kSecond),
+                     transformText("map", "base", pose, stamp * kSecond));
+    }
+    const auto recording = openRecording(directory.write("a.mcap", mcap.file()));
+    ASSERT_TRUE(recording) << recording.error().text;
+    const auto tracks = readPoses(**recording, mapping, {});
+    ASSERT_TRUE(tracks) << tracks.error().text;
+    EXPECT_EQ(tracks->begin()->second.size(), 2U) << "one pose for each time";
+    EXPECT_NEAR(tracks->begin()->second.at(14.0)->place.x(), 1.3, 1e-9);
 }
 
 TEST_F(Poses, mountsAreSixNumbers)
