@@ -41,9 +41,11 @@ trap 'rm -f "$page"' EXIT
   echo
   echo '- The loop goes on by itself on level ground. A whole round takes about 4.5 s, which is 1.3 m/min. Most of it goes into the flippers, up for'
   echo '  each advance and down for each press. The pace in the table is less: it includes the presses after which the loop asks.'
+  echo '  A fit of the rows of the table gives 1.9 s for a press with its estimate, and 2.6 s for raising and advancing. Of 577 presses, 417'
+  echo '  ended a loop. They take half of the time of all loops, so fewer questions, not shorter waits, would raise the pace.'
   echo '- On hard rough ground it asks at nearly every stop. The flippers rest there on one or two points, so the ground between them is only'
-  echo '  bounded. The operator then drives by hand, or asks for a probe. The method trail'
-  echo '  errs less there. But what was felt at earlier stops does not yet count as felt, so CLEAR reaches no further.'
+  echo '  bounded. The operator then drives by hand, or asks for a probe. The method trail errs less there, and counts what'
+  echo '  was felt at earlier stops. But single points feel little ground.'
   echo '- The simulated robot raises its front flippers to 1.2 rad before an advance. Their tips then come no further ahead than they were when'
   echo '  they pressed, so they cannot meet a wall that nobody has felt. A robot that raises them less can (*touch*).'
   echo '- The simulation has no sensor faults, no lost telemetry and no slide. The odometry has a slip of 10 %. Faults of the loop itself are'

@@ -42,6 +42,18 @@ A new section begins, and nothing is joined over its begin, when one of these ha
 
 The strip keeps the last 150 m of ground, with less than 1 MB.
 
+## Whether its bands hold
+
+Ground that is touched again scores what the strip said of it before (`core/strip/strip_ledger.h`). The band is seen from the new pose by
+odometry alone, and widened by the touch's own sd. So the scene that judges changes neither the band nor the pose.
+
+- *contact*: a front flipper's element at a later scene. Its height follows from the scene's angles and forces alone, with an sd of 20 mm.
+- *pass*: the tracks stand there at a later scene. Height and sd are that scene's estimate. By `trail`, it knows earlier readings as well.
+- *probe*: the arm. It scores the band that was shown in its scene before.
+
+A scene counts once. On two tracks, the tracks do not score what was said of the flippers' line. The console's line above the picture tells
+how many bands held, such as "bands held: 83 of 100". `terratact session strip` tells it by touch for a session.
+
 ## On the screen
 
 The terrain picture draws remembered ground behind, under and ahead of the robot, in the console and in a review: a dashed line in a band
@@ -88,7 +100,18 @@ TEXT
     "$terratact" strip --drives "$drives" --spacing "$spacing"
     echo '```'
   done
+  echo
+  echo 'By `trail`, the ledger alone:'
+  echo
+  echo "    terratact strip --drives $drives --spacing 0.1 --method trail"
+  echo
+  echo '```'
+  "$terratact" strip --drives "$drives" --spacing 0.1 --method trail | sed -n '/^later/,$p'
+  echo '```'
   cat <<'TEXT'
+
+The last table compares the ledger with the truth: *in 80%* is the share of touches within the widened bands, *truth* the share of true heights
+within the bands. A console has no truth; its ledger stands for it.
 
 Errors are in mm, *width* is that of the 80 % band. The rule and the weight of shared ground were chosen on such drives. The strip decides nothing:
 the verdict rests on the estimate of the present scene.
