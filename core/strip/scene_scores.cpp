@@ -22,7 +22,8 @@ void SceneScores::addProbes(std::span<const ArmReading> arm)
         const bool isBetween = !shown_->onePlane && reading.side == ProbeSide::Middle;
         const std::size_t side = reading.side == ProbeSide::Right ? 1 : 0;
         const ShownBin& bin = shown_->side.at(side).at(static_cast<std::size_t>(reading.bin));
-        if (!isBetween && !bin.isProbed)
+        const bool isMeasured = StripLedger::canScore(bin.band, reading.height, reading.sd);
+        if (isMeasured && !isBetween && !bin.isProbed)
             probes_.add(ScoredBy::Probe, bin.band, reading.height, reading.sd);
     }
 }

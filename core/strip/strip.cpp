@@ -111,7 +111,7 @@ std::vector<StripTouch> Strip::touchesOf(const TwoTrackEstimate& estimate) const
     const auto add = [&](ScoredBy by, std::size_t side, int column, bool onFlippers, double height,
                          double sd) {
         const auto said = saidOf(*section, pose, column, side, onFlippers);
-        if (said && said->sd + sd > 0.0)
+        if (said && StripLedger::canScore(*said, height, sd))
             touches.insert(touches.end(),
                            {by, side, column * kBinWidth - imu.x, *said, height, sd});
     };

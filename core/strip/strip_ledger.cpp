@@ -31,11 +31,17 @@ double StripScore::rmsZ() const
     return n > 0 ? std::sqrt(sumSquares / static_cast<double>(n)) : 0.0;
 }
 
-void StripLedger::add(ScoredBy by, const HeightBand& said, double felt, double feltSd)
+bool StripLedger::canScore(const HeightBand& said, double felt, double feltSd)
 {
     const double sd = std::hypot(said.sd, feltSd);
-    if (!std::isfinite(felt) || !(feltSd >= 0.0) || !std::isfinite(sd) || !(sd > 0.0))
+    return std::isfinite(felt - said.height) && feltSd >= 0.0 && std::isfinite(sd) && sd > 0.0;
+}
+
+void StripLedger::add(ScoredBy by, const HeightBand& said, double felt, double feltSd)
+{
+    if (!canScore(said, felt, feltSd))
         throw std::invalid_argument("StripLedger: not a measurement");
+    const double sd = std::hypot(said.sd, feltSd);
     const HeightBand band = widened(said, feltSd);
     const double z = (felt - said.height) / sd;
     const bool isInside = band.q10 <= felt && felt <= band.q90;

@@ -38,8 +38,10 @@ struct StripScore {
 /// its pose, and count as fewer independent ones.
 class StripLedger {
 public:
+    /// Returns true if a touch can score a band: the height is finite, and so is √(sd² + feltSd²), above 0.
+    static bool canScore(const HeightBand& said, double felt, double feltSd);
     /// Scores a band against a height that is felt later with an sd. `said` must not depend on the touch. Throws
-    /// std::invalid_argument unless the height is finite, and the sd finite and 0 or more, but above 0 for a sharp band.
+    /// std::invalid_argument unless canScore().
     void add(ScoredBy by, const HeightBand& said, double felt, double feltSd);
 
     StripLedger& operator+=(const StripLedger& other);

@@ -186,6 +186,22 @@ TEST_F(StripLedgerDrive, aReadingOfTheArmScoresTheBandShownBefore)
     EXPECT_EQ(score(ScoredBy::Probe).n, 2U) << "the probe was made";
 }
 
+TEST_F(StripLedgerDrive, numbersWithoutAnErrorScoreNothing)
+{
+    TwoTrackEstimate exact = even(-0.25);
+    for (TerrainEstimate& side : exact.side) {
+        side.sd.fill(0.0);
+        side.q10 = side.q90 = side.height;
+    }
+    explore(exact);
+    strip.enter(exact, 2, std::vector<ArmReading>{{.bin = 9, .height = -0.25, .sd = 0.0}});
+    EXPECT_EQ(strip.ledger().all().n, 0U);
+    strip.enter(exact, 3, std::vector<ArmReading>{{.bin = 9, .height = 1e308, .sd = 1e200}});
+    EXPECT_EQ(strip.ledger().all().n, 1U);
+    explore(exact);
+    EXPECT_NO_THROW(explore(even(1e308)));
+}
+
 TEST_F(StripLedgerDrive, aReadingBetweenTwoSidesIsOfNeither)
 {
     TwoTrackEstimate sides = even(-0.25);
