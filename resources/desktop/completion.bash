@@ -90,7 +90,7 @@ _terratact_value() {
     *:--screenshot) _terratact_files png ;;
     *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
-    feel-forward:--method | "session what-if":--method) _terratact_words "$methods" trail ;;
+    feel-forward:--method | strip:--method | "session what-if":--method) _terratact_words "$methods" trail ;;
     *:--method) _terratact_words "$methods" ;;
     evaluate:--methods | tradeoff:--methods) _terratact_list "$methods trail" ;;
     *:--ceiling) _terratact_words truncate clamp none ;;
