@@ -4,6 +4,7 @@
 
 #include "app/display/format.h"
 #include "app/mission/exploration.h"
+#include "app/mission/method_text.h"
 #include "app/pages/side_keys.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
@@ -32,8 +33,13 @@ void ProfileMenu::offerSecondMethods(Exploration& exploration)
     QAction* title = addAction(tr("A second method beside it"));
     title->setEnabled(false);  // addSection() shows no title with a style sheet
     auto* group = new QActionGroup(this);
+    setToolTipsVisible(true);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = addAction(text);
+        if (method) {
+            action->setToolTip(methodUses(*method));
+            action->setStatusTip(methodUses(*method));
+        }
         action->setCheckable(true);
         action->setChecked(method == exploration.estimation().secondMethod());
         group->addAction(action);

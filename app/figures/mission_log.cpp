@@ -92,6 +92,12 @@ Result<MissionLine> lineOf(SessionReader& session, const EstimateRow& recorded,
                     row.seconds, readingsText(row), errorText(row, scene))};
 }
 
+/// Returns bits of information, which rounding may have left just below zero: "-0.00" would be printed.
+double positiveBits(double value)
+{
+    return std::max(0.0, value);
+}
+
 MissionLine lineOf(const ProposalRow& row)
 {
     std::string text =
@@ -99,9 +105,9 @@ MissionLine lineOf(const ProposalRow& row)
                     "threshold {:.3f} m; arm sd {:.3f} m; takes {:.0f} s; step above {:.2f} m: "
                     "{:.2f} bit open",
                     binCentre(row.bin), sideText(row.side), row.height, row.q10, row.q90, row.sd,
-                    row.limit, row.armSd, row.seconds, row.stepLimit, row.bitsBefore);
+                    row.limit, row.armSd, row.seconds, row.stepLimit, positiveBits(row.bitsBefore));
     if (!row.offers.empty() && row.offers[0].bin == row.bin && row.offers[0].side == row.side)
-        text += fmt::format(", {:.2f} bit after it", row.offers[0].bitsAfter);
+        text += fmt::format(", {:.2f} bit after it", positiveBits(row.offers[0].bitsAfter));
     return {row.time, 1, fmt::format("probe proposed on estimate {}", row.estimate), text};
 }
 

@@ -106,7 +106,8 @@ int DriveCell::widthFor(DriveDetail detail) const
     const bool isShort = detail == DriveDetail::Short;
     const int caption =
         widestOf(captionFont(true), isShort ? widest_.shortCaptions : widest_.captions);
-    int value = widestOf(valueFont(detail), widest_.values);
+    const bool isBrief = isShort && !widest_.shortValues.isEmpty();
+    int value = widestOf(valueFont(detail), isBrief ? widest_.shortValues : widest_.values);
     if (detail == DriveDetail::Limits && kind_ == Kind::Angle)
         value += scaledLarge(kBeside) + widestOf(captionFont(true), {widest_.limits});
     const int beside =
@@ -152,9 +153,11 @@ std::vector<DriveCell::Line> DriveCell::lines() const
 {
     const QFont words = captionFont(!content_.level.isEmpty());
     const auto [caption, value] = areas();
+    const bool isShort = detail_ == DriveDetail::Short;
     std::vector<Line> lines{
-        {caption, words, detail_ == DriveDetail::Short ? content_.shortCaption : content_.caption},
-        {value, valueFont(detail_), content_.value}};
+        {caption, words, isShort ? content_.shortCaption : content_.caption},
+        {value, valueFont(detail_),
+         isShort && !content_.shortValue.isEmpty() ? content_.shortValue : content_.value}};
     if (detail_ != DriveDetail::Limits || content_.limits.isEmpty()) return lines;
     Line limits{value, words, content_.limits};
     limits.area.setLeft(value.left() + widthOf(lines.back()) + scaledLarge(kBeside));

@@ -24,8 +24,9 @@ public:
     struct Content {
         QString caption{}, shortCaption{};
         QString value{};
-        QString limits{};  ///< of an angle, in numbers
-        QString level{};   ///< "amber", "red", "contact" or nothing
+        QString shortValue{};  ///< of the narrowest form; empty: `value`
+        QString limits{};      ///< of an angle, in numbers
+        QString level{};       ///< "amber", "red", "contact" or nothing
         std::optional<DriveViewState::Angle> angle{};
         std::optional<FlipperContacts> contacts{};
         bool operator==(const Content&) const = default;
@@ -35,6 +36,7 @@ public:
     struct Widest {
         QStringList captions, shortCaptions, values;
         QString limits;
+        QStringList shortValues{};  ///< empty: `values`
     };
     DriveCell(Kind kind, Widest widest, QWidget* parent);
 

@@ -5,6 +5,7 @@
 
 #include "app/display/drive_text.h"
 #include "app/display/format.h"
+#include "app/display/units.h"
 #include "core/base/degree.h"
 #include "widgets/base/tips.h"
 
@@ -49,6 +50,19 @@ QString withMark(const QString& name, const QString& mark)
     return mark.isEmpty() ? name : name + QLatin1Char(' ') + mark;
 }
 
+/// Returns the caption of an angle in a narrow strip, where the unit of radians stands instead of beside the value.
+QString shortAngleName(DriveStrip::Cell cell)
+{
+    const bool isRadian = units().angle == AngleUnit::Radian;
+    return isRadian ? nameOf(cell) + QStringLiteral(" rad") : nameOf(cell);
+}
+
+/// Returns an angle for a narrow strip, without the unit of radians.
+QString shortAngle(double radians)
+{
+    return format::angle(radians).section(QLatin1Char(' '), 0, 0);
+}
+
 /// Returns the mark of a level without its word.
 QString markOf(AttitudeLevel level)
 {
@@ -64,18 +78,19 @@ QString contactCaption(const FlipperContacts& contact, const QString& word)
 DriveCell::Widest widestOf(DriveStrip::Cell cell)
 {
     const QString name = nameOf(cell);
-    const auto levels = [&](QString (*text)(AttitudeLevel)) {
-        return QStringList{withMark(name, text(AttitudeLevel::Amber)),
-                           withMark(name, text(AttitudeLevel::Red))};
+    const auto levels = [](const QString& word, QString (*text)(AttitudeLevel)) {
+        return QStringList{withMark(word, text(AttitudeLevel::Amber)),
+                           withMark(word, text(AttitudeLevel::Red))};
     };
     const QString ended = withMark(name, QStringLiteral("!"));
     switch (cell) {
     case DriveStrip::Pitch:
     case DriveStrip::Roll:
-        return {levels(DriveText::level),
-                levels(markOf),
+        return {levels(name, DriveText::level),
+                levels(shortAngleName(cell), markOf),
                 {format::angle(-88.8 * kDegree)},
-                DriveText::limits({1.5, 1.5})};
+                DriveText::limits({1.5, 1.5}),
+                {shortAngle(-88.8 * kDegree)}};
     case DriveStrip::Contact: {
         const QStringList words{name, DriveStrip::tr("● CONTACT") + QStringLiteral(" 20 N")};
         return {words, words, {DriveText::contacts({}), QStringLiteral("L5 R5")}, {}};
@@ -200,8 +215,9 @@ void DriveStrip::showAngle(Cell cell, const std::optional<DriveViewState::Angle>
     if (limits != tipOf(*cells_.at(cell))) setTip(*cells_.at(cell), limits);
     show(cell,
          {.caption = withMark(nameOf(cell), DriveText::level(level)),
-          .shortCaption = withMark(nameOf(cell), markOf(level)),
+          .shortCaption = withMark(shortAngleName(cell), markOf(level)),
           .value = value,
+          .shortValue = angle ? shortAngle(angle->angle) : QString(),
           .limits = angle ? DriveText::limits(angle->limits) : QString(),
           .level = levelName(level),
           .angle = angle},

@@ -86,8 +86,12 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     if (captured)
         values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), format::angle(*captured)));
     fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
-    put(FrontFlippers, pair(format::angle(m.frontLeft), format::angle(m.frontRight)));
-    put(RearFlippers, pair(format::angle(m.rearLeft), format::angle(m.rearRight)));
+    const auto angles = [&](double left, double right) {
+        // The unit of radians stands once: a low window has no room for two.
+        return pair(format::angle(left).section(QLatin1Char(' '), 0, 0), format::angle(right));
+    };
+    put(FrontFlippers, angles(m.frontLeft, m.frontRight));
+    put(RearFlippers, angles(m.rearLeft, m.rearRight));
     const auto front = [&](double value) {
         return amperes(shownFeature(m, kFrontCurrentFeature, value));
     };

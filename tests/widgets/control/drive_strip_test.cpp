@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/display/drive_text.h"
+#include "app/display/units.h"
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
@@ -192,6 +193,27 @@ TEST_F(DriveStripShown, fitsItsTextsInEveryDetailAndSize)
             strip.resize(strip.widthFor(detail), strip.minimumSizeHint().height());
             EXPECT_EQ(shrunk(), QStringList()) << scale << ' ' << static_cast<int>(detail);
         }
+}
+
+TEST_F(DriveStripShown, radiansTakeNoMoreRoomThanDegrees)
+{
+    look(ThemeName::Day, 100);
+    const int degrees = strip.minimumSizeHint().width();
+    setUnits({.angle = AngleUnit::Radian});
+    DriveStrip inRadians;
+    inRadians.setViewState({.pitch = angle(-88.8, AttitudeLevel::Red), .roll = angle(2.0)});
+    inRadians.resize(inRadians.minimumSizeHint());
+    inRadians.setVisible(true);
+    EXPECT_LE(inRadians.minimumSizeHint().width(), degrees + 12);
+    QStringList painted;
+    for (const DriveCell* cell : inRadians.findChildren<DriveCell*>()) {
+        EXPECT_TRUE(cell->fits()) << cell->accessibleName().toStdString();
+        for (const DriveCell::Line& line : cell->lines()) painted << line.text;
+    }
+    setUnits({});
+    EXPECT_TRUE(painted.contains(QStringLiteral("−1.550"))) << painted.join('|').toStdString();
+    EXPECT_TRUE(painted.contains(QStringLiteral("pitch rad ✘"))) << "the unit is named above";
+    EXPECT_EQ(inRadians.text(DriveStrip::Pitch), QStringLiteral("−1.550 rad")) << "spoken in full";
 }
 
 TEST_F(DriveStripShown, aLongTextGetsSmallerLetters)
