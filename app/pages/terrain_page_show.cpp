@@ -70,7 +70,10 @@ QString whyNoProbe(const TerrainViewState& viewState)
             return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
         if (state.approvalExpired)
             return TerrainPage::tr("The proposal was not answered in time and counts as refused.");
-        if (!viewState.whyNotOffered.isEmpty()) return viewState.whyNotOffered;
+        if (!viewState.whyNotOffered.isEmpty())
+            return showsWorth(viewState)
+                     ? TerrainPage::tr("%1; what one would tell:").arg(viewState.whyNotOffered)
+                     : viewState.whyNotOffered;
         if (viewState.estimate && !viewState.proposal)
             return TerrainPage::tr("No probe: the estimate is certain without the arm.");
     }

@@ -10888,6 +10888,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>No probe is proposed; what one would tell:</source>
         <translation>Rameno se nenabízí; co by zjistilo:</translation>
     </message>
+    <message>
+        <source>%1; what one would tell:</source>
+        <translation>%1; co by zjistilo:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>

@@ -10887,6 +10887,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>No probe is proposed; what one would tell:</source>
         <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
     </message>
+    <message>
+        <source>%1; what one would tell:</source>
+        <translation>%1; was eine Probe ergäbe:</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TerrainProfileView</name>
