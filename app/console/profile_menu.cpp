@@ -6,6 +6,7 @@
 #include "app/mission/exploration.h"
 #include "app/mission/method_text.h"
 #include "app/pages/side_keys.h"
+#include "widgets/base/tips.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -36,10 +37,7 @@ void ProfileMenu::offerSecondMethods(Exploration& exploration)
     setToolTipsVisible(true);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = addAction(text);
-        if (method) {
-            action->setToolTip(methodUses(*method));
-            action->setStatusTip(methodUses(*method));
-        }
+        if (method) setTip(*action, methodUses(*method));
         action->setCheckable(true);
         action->setChecked(method == exploration.estimation().secondMethod());
         group->addAction(action);
