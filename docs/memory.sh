@@ -64,6 +64,7 @@ telemetry, a turn, a suspected odometry or pitch, cleared ground, a current or a
 The networks are the file beside the model, with the ending `.ttn`. The shipped ones serve robots with Absolem's shape. Sessions record the
 history of each scene ([sessions.md](sessions.md#memory-of-the-way)). The review and `session what-if` repeat the estimates bit for bit.
 `evaluate --drives` compares both methods.
+`terratact strip --method trail` scores what was said along drives against later touches ([strip.md](strip.md#whether-its-bands-hold)).
 
 `docs/memory.sh` made this page. Errors are |median - truth| in mm. Of two tracks, both sides count. No constant was chosen on real ground.
 

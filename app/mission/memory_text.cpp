@@ -49,7 +49,7 @@ Message withLedger(const Message& words, const StripLedger& ledger)
     const Message held(TR_NOOP("terratact::Estimation", "bands held: %1 of %2"),
                        static_cast<int>(all.in80), static_cast<int>(all.n));
     if (words.empty()) return held;
-    return {TR_NOOP("terratact::Estimation", "%1, %2"), words, held};
+    return {TR_NOOP("terratact::Estimation", "%1 · %2"), words, held};
 }
 
 std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)

@@ -6537,8 +6537,8 @@ F1</translation>
         <translation>pásma platila: %1 z %2</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>

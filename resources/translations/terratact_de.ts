@@ -6537,8 +6537,8 @@ F1</translation>
         <translation>Bänder hielten: %1 von %2</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>

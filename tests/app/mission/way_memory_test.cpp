@@ -51,7 +51,7 @@ TEST(MemoryText, TellsHowOftenBandsHeld)
     StripLedger ledger;
     ledger.add(ScoredBy::Contact, {0.0, 0.01, -0.013, 0.013}, 0.0, 0.0);
     ledger.add(ScoredBy::Pass, {0.0, 0.01, -0.013, 0.013}, 0.1, 0.0);
-    EXPECT_EQ(translated(withLedger(words, ledger)), "no memory: x, bands held: 1 of 2");
+    EXPECT_EQ(translated(withLedger(words, ledger)), "no memory: x · bands held: 1 of 2");
     EXPECT_EQ(translated(withLedger({}, ledger)), "bands held: 1 of 2");
 }
 
@@ -72,7 +72,7 @@ TEST_F(OneGround, ADriveIsRemembered)
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(method(), Method::Trail);
     EXPECT_EQ(estimation().scene()->memory.history->presses, 1);
-    EXPECT_NE(memory().find("m, presses: 1"), std::string::npos) << memory();
+    EXPECT_NE(memory().find("m · earlier presses: 1"), std::string::npos) << memory();
     driveBy(0.4);
     driveBy(0.6);
     ASSERT_TRUE(explore()) << eventText();
