@@ -15,6 +15,7 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/probe_card.h"
@@ -26,6 +27,22 @@
 
 namespace terratact {
 namespace {
+
+TEST(Words, aToneEndsAlsoAfterAChangeOfLetters)
+{
+    applyLook(*qApp, ThemeName::Day, 100);
+    PlainLabel label;
+    label.show();
+    setTone(label, Tone::Plain);
+    const QColor plain = label.palette().color(QPalette::WindowText);
+    setTone(label, Tone::Bad);
+    EXPECT_NE(label.palette().color(QPalette::WindowText), plain);
+    applyLook(*qApp, ThemeName::Day, 80);
+    QCoreApplication::processEvents();
+    setTone(label, Tone::Plain);
+    EXPECT_EQ(label.palette().color(QPalette::WindowText), plain);
+    applyLook(*qApp, ThemeName::Day, 100);
+}
 
 TEST(Words, numbersReadAsOperatorsWriteThem)
 {
