@@ -153,12 +153,29 @@ Status exportAs(const SessionScenesOptions& options, Scenes scenes, Text text)
     return Done{};
 }
 
+/// Scenes of one plane hold the means of both sides.
+void sayWhatTracksWouldAdd(const std::vector<std::string>& files)
+{
+    std::ptrdiff_t withSides = 0;
+    for (const std::string& file : files)
+        if (const auto session = SessionReader::open(file))
+            withSides += std::ranges::count_if(
+                session->scenes(), [](const SceneRow& row) { return hasSides(row.measurement); });
+    if (withSides > 0)
+        printText(stderr,
+                  "terratact: left and right are known in {} scenes, whose means were written: "
+                  "--tracks writes both sides\n",
+                  withSides);
+}
+
 }  // namespace
 
 Status exportScenes(const SessionScenesOptions& options)
 {
     if (options.tracks) return exportAs(options, std::vector<TwoTrackScene>{}, twoTrackScenesText);
-    return exportAs(options, std::vector<Scene>{}, scenesText);
+    const Status done = exportAs(options, std::vector<Scene>{}, scenesText);
+    if (done) sayWhatTracksWouldAdd(options.files);
+    return done;
 }
 
 }  // namespace terratact

@@ -144,6 +144,8 @@ class WhatIf(Session):
         self.assertIn("roll_rad", tracks.read_text().splitlines()[0])
         self.assertIn("1 scenes with 11 known heights", run("session", "scenes", demo, "--out", plane))
         self.assertNotIn("roll_rad", plane.read_text())
+        self.assertIn("known in 1 scenes", complaint("session", "scenes", demo, "--out", plane, code=0))
+        self.assertEqual(complaint("session", "scenes", demo, "--tracks", "--out", tracks, code=0), "")
         run("reconstruct", "--tracks", "--data", tracks, "--out", self.path / "estimates.csv")
         rows = (self.path / "estimates.csv").read_text().splitlines()[1:]
         self.assertEqual([row.split(",")[2] for row in rows], ["left"] * 11 + ["right"] * 11)
