@@ -5601,18 +5601,6 @@ Poslední deaktivace: %1</translation>
         <translation>zbývá %1</translation>
     </message>
     <message>
-        <source>met</source>
-        <translation>splněno</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>sporné</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>chybí</translation>
-    </message>
-    <message>
         <source>An exploration is running: end it with Esc first</source>
         <translation>Běží průzkum: nejdřív ho ukončete klávesou Esc</translation>
     </message>
@@ -5635,14 +5623,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
         <translation>Prozkoumat navzdory pochybnostem; zapíše se to a zůstane na obrazovce</translation>
-    </message>
-    <message>
-        <source>overridden</source>
-        <translation>přebito</translation>
-    </message>
-    <message>
-        <source>%1 (overridden)</source>
-        <translation>%1 (přebito)</translation>
     </message>
     <message>
         <source>about %1 left</source>
@@ -8082,6 +8062,29 @@ F1</translation>
     <message>
         <source>Deleted: %1</source>
         <translation>Smazáno: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PreconditionGrid</name>
+    <message>
+        <source>met</source>
+        <translation>splněno</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>přebito</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>sporné</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>chybí</translation>
+    </message>
+    <message>
+        <source>%1 (overridden)</source>
+        <translation>%1 (přebito)</translation>
     </message>
 </context>
 <context>

@@ -5601,18 +5601,6 @@ Zuletzt gesperrt: %1</translation>
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>met</source>
-        <translation>erfüllt</translation>
-    </message>
-    <message>
-        <source>doubtful</source>
-        <translation>zweifelhaft</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
         <source>An exploration is running: end it with Esc first</source>
         <translation>Eine Erkundung läuft: erst mit Esc beenden</translation>
     </message>
@@ -5635,14 +5623,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
         <translation>Trotz der Zweifel erkunden; es wird vermerkt und bleibt auf dem Schirm</translation>
-    </message>
-    <message>
-        <source>overridden</source>
-        <translation>übergangen</translation>
-    </message>
-    <message>
-        <source>%1 (overridden)</source>
-        <translation>%1 (übergangen)</translation>
     </message>
     <message>
         <source>about %1 left</source>
@@ -8081,6 +8061,29 @@ F1</translation>
     <message>
         <source>Deleted: %1</source>
         <translation>Gelöscht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PreconditionGrid</name>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>übergangen</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>%1 (overridden)</source>
+        <translation>%1 (übergangen)</translation>
     </message>
 </context>
 <context>

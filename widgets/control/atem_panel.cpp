@@ -1,6 +1,5 @@
 #include "widgets/control/atem_panel.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -19,6 +18,7 @@
 #include "widgets/base/scroll_column.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
+#include "widgets/control/precondition_grid.h"
 
 namespace terratact {
 namespace {
@@ -89,11 +89,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     needsButton_->setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, &AtemPanel::offerCommands);
     titleRow()->addWidget(needsButton_);
-    list_ = new QGridLayout;
-    list_->setContentsMargins(0, 0, 0, 0);
-    list_->setHorizontalSpacing(8);
-    list_->setVerticalSpacing(2);
-    list_->setColumnStretch(1, 1);
+    list_ = new PreconditionGrid;
 
     request_ = new QPushButton(tr("Explore the terrain (A)"), this);
     request_->setProperty("role", "primary");
@@ -310,36 +306,7 @@ void AtemPanel::showList()
     const bool named = listed() != Commanded::Explore || lookedUp_;
     subject_->setVisible(named && !preconditions.isEmpty());
     subject_->setText(tr("%1 needs:").arg(capital(nameOf(listed()))));
-    if (preconditions == shown_) return;
-    while (list_->count() < 2 * preconditions.size()) {
-        const int row = list_->count() / 2;
-        auto* mark = new PlainLabel(this);
-        auto* reason = new PlainLabel(this);
-        reason->setWordWrap(true);
-        list_->addWidget(mark, row, 0, Qt::AlignTop);
-        list_->addWidget(reason, row, 1);
-    }
-    for (int row = 0; row < list_->count() / 2; ++row) {
-        auto* mark = qobject_cast<QLabel*>(list_->itemAtPosition(row, 0)->widget());
-        auto* reason = qobject_cast<QLabel*>(list_->itemAtPosition(row, 1)->widget());
-        const bool used = row < preconditions.size();
-        mark->setVisible(used);
-        reason->setVisible(used);
-        if (!used) continue;
-        const Precondition& condition = preconditions[row];
-        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
-        const QString spoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
-        const auto level = static_cast<std::size_t>(condition.level);
-        mark->setText(markOf(condition.level));
-        reason->setText(condition.level == Precondition::Level::Overridden
-                            ? tr("%1 (overridden)").arg(translated(condition.text))
-                            : translated(condition.text));
-        reason->setAccessibleName(spoken[level] + QStringLiteral(": ")
-                                  + translated(condition.text));
-        setTone(*mark, kTones[level]);
-        setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
-    }
-    shown_ = preconditions;
+    list_->setPreconditions(preconditions);
 }
 
 void AtemPanel::forbidCommands()

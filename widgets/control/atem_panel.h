@@ -10,13 +10,13 @@
 #include "widgets/base/card.h"
 
 class QBoxLayout;
-class QGridLayout;
 class QLabel;
 class QPushButton;
 
 namespace terratact {
 
 class HoldToConfirmButton;
+class PreconditionGrid;
 class ScrollColumn;
 
 /// The operator's panel of an exploration. It shows the state with the time left, and the preconditions. Its buttons
@@ -97,12 +97,11 @@ private:
     bool resultStands_ = false;
     std::array<QList<Precondition>, kCommanded.size()> needs_;
     std::optional<Commanded> lookedUp_;
-    QList<Precondition> shown_;
     QLabel* subject_ = nullptr;  ///< names the command, unless it is exploring
     QPushButton* needsButton_ = nullptr;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;
-    QGridLayout* list_ = nullptr;
+    PreconditionGrid* list_ = nullptr;
     ScrollColumn* texts_ = nullptr;
     QBoxLayout* parts_ = nullptr;    ///< texts beside buttons
     QBoxLayout* buttons_ = nullptr;  ///< request button beside the others
