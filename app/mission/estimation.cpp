@@ -383,24 +383,6 @@ void Estimation::refuse(int job, const Message& why)
                   EventSeverity::Bad);
 }
 
-Message Estimation::memoryWords() const
-{
-    if (!estimate_ || memoryWords_.empty()) return {};
-    const SceneMemory& memory = scene_->memory;
-    const Message used =
-        terratact::memoryWords(*estimate_, memory.history ? &*memory.history : nullptr);
-    return used.empty() ? memoryWords_ : used;
-}
-
-/// Reports that nothing is remembered, and each new reason.
-void Estimation::announceMemory()
-{
-    const bool isRemembered = estimate_->side[0].settings.method == Method::Trail;
-    const Message why = isRemembered ? Message() : memoryWords_;
-    if (std::exchange(memoryLogged_, why) != why && !why.empty())
-        emit happened(why, EventSeverity::Note);
-}
-
 void Estimation::announce(const TwoTrackEstimate& estimate)
 {
     emit happened(Message(TR_NOOP("terratact::Estimation", "estimate in %1"),
@@ -436,17 +418,6 @@ void Estimation::takeBack()
         strip_.removeLast();
     else
         strip_.endSection();
-}
-
-SeenStrip Estimation::remembered() const
-{
-    return telemetryFresh_ ? strip_.seen() : SeenStrip{};
-}
-
-std::optional<Message> Estimation::whyNothingRemembered() const
-{
-    if (counts_.estimates == 0) return std::nullopt;
-    return nothingRememberedWords(strip_.whyNothing(), telemetryFresh_);
 }
 
 }  // namespace terratact

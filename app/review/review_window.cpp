@@ -22,7 +22,6 @@
 #include "app/pages/terrain_page.h"
 #include "app/pages/terrain_picture.h"
 #include "app/review/review_events_page.h"
-#include "app/review/review_export.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_signals_page.h"
 #include "app/review/review_timeline.h"
@@ -42,7 +41,6 @@
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/terrain/estimate_strip.h"
-#include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
 #include "widgets/terrain/verdict_strip.h"
 
@@ -300,41 +298,6 @@ void ReviewWindow::noteTaken()
     trouble_ = note_->trouble();
     if (trouble_.isEmpty()) setFocus();
     loadTimeline();
-}
-
-ExportViewState ReviewWindow::exportViewState() const
-{
-    const ReviewPlayer& p = player();
-    ExportViewState viewState{.now = p.position(),
-                              .first = timeline()->first(),
-                              .last = timeline()->last(),
-                              .isCursors = p.a() && p.b(),
-                              .begin = p.begin(),
-                              .end = p.end(),
-                              .scene = moment_.estimate ? moment_.estimate->scene : 0};
-    if (viewState.isCursors) {
-        viewState.first = std::min(*p.a(), *p.b());
-        viewState.last = std::max(*p.a(), *p.b());
-    }
-    return viewState;
-}
-
-void ReviewWindow::exportShown()
-{
-    if (!export_)
-        export_ = new ReviewExportDialog(
-            {.session = QString::fromStdString(session_.path()),
-             .poll = [this] { return exportViewState(); },
-             .dbc = [this] { return preferences_->current().dbc; },
-             .savePicture =
-                 [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },
-             .saveNumbers =
-                 [this](const QString& path) {
-                     numbers_->refresh(0.0);
-                     return saveNumbers(moment_, *numbers_->table(), path);
-                 }},
-            this);
-    export_->ask();
 }
 
 void ReviewWindow::open()
