@@ -164,7 +164,7 @@ void sayWhatTracksWouldAdd(const std::vector<std::string>& files)
     if (withSides > 0)
         printText(stderr,
                   "terratact: left and right are known in {} scenes, whose means were written: "
-                  "--tracks writes both sides\n",
+                  "session scenes --tracks writes both sides\n",
                   withSides);
 }
 
