@@ -46,8 +46,8 @@ Message withLedger(const Message& words, const StripLedger& ledger)
 {
     const StripScore all = ledger.all();
     if (all.n == 0) return words;
-    const Message held(TR_NOOP("terratact::Estimation", "bands held: %1 of %2"),
-                       static_cast<int>(all.in80), static_cast<int>(all.n));
+    Message held(TR_NOOP("terratact::Estimation", "bands held: %1 of %2"),
+                 static_cast<int>(all.in80), static_cast<int>(all.n));
     if (words.empty()) return held;
     return {TR_NOOP("terratact::Estimation", "%1 · %2"), words, held};
 }

@@ -26,9 +26,9 @@ void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
     for (const int bin : verdict.unfelt)
         bins.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
     if (!bins.empty())
-        parts.push_back({TR_NOOP("terratact::SessionEventLogger", "not felt: %1"),
-                         Message::listed(std::move(bins), ", ")});
-    for (const WithholdReason reason : verdict.withheldFor) parts.push_back(describe(reason));
+        parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "not felt: %1"),
+                           Message::listed(std::move(bins), ", "));
+    for (const WithholdReason reason : verdict.withheldFor) parts.emplace_back(describe(reason));
 }
 
 Message sideText(SourceText side, const Verdict& verdict, double limit)
@@ -41,13 +41,13 @@ Message sideText(SourceText side, const Verdict& verdict, double limit)
 void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, double limit)
 {
     const auto& [left, right] = verdict.side;
-    parts.push_back(describe(verdict.both));
+    parts.emplace_back(describe(verdict.both));
     if (verdict.onePlane) {
         parts.push_back(stepText(verdict.either, limit));
         return addDoubts(parts, left);
     }
-    parts.push_back({TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
-                     stepText(verdict.either, limit)});
+    parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
+                       stepText(verdict.either, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "left: %1"), left, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "right: %1"), right, limit));
 }
@@ -72,11 +72,11 @@ Message screenText(const Exploration& exploration, const LinkAccount& link)
     if (const auto verdict = exploration.estimation().verdict())
         addVerdict(parts, *verdict, exploration.options().stepLimit);
     else
-        parts.push_back(TR_NOOP("terratact::SessionEventLogger", "no estimate"));
+        parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "no estimate"));
     if (const auto& proposal = exploration.proposal()) parts.push_back(proposalText(*proposal));
     if (const auto place = exploration.probingPlace())
-        parts.push_back(
-            {TR_NOOP("terratact::SessionEventLogger", "probing %1"), placeWords(*place)});
+        parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "probing %1"),
+                           placeWords(*place));
     return Message::listed(std::move(parts), "; ");
 }
 

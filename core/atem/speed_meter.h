@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <deque>
 #include <optional>
 
@@ -27,12 +28,8 @@ public:
         if (!lines_.empty()) {
             const double since = line.time - lines_.back().time;
             const double way = std::abs(*line.travelled - lines_.back().way);
-            if (since < 0.0 || since > kMaxSilence)
-                lines_.clear();
-            else if (since < kSpacing)
-                return;
-            else if (way > kFastest * since)
-                lines_.clear();
+            if (since >= 0.0 && since < kSpacing) return;
+            if (since < 0.0 || since > kMaxSilence || way > kFastest * since) lines_.clear();
         }
         lines_.push_back({line.time, *line.travelled});
         const double window = isStill() ? kStill : kWindow;
@@ -58,9 +55,9 @@ private:
     bool isStill() const
     {
         const Line& newest = lines_.back();
-        for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
-            if (std::abs(line->way - newest.way) > kStep) return false;
-            if (newest.time - line->time >= kStill) return true;
+        for (std::size_t i = lines_.size(); i-- > 0;) {
+            if (std::abs(lines_[i].way - newest.way) > kStep) return false;
+            if (newest.time - lines_[i].time >= kStill) return true;
         }
         return false;
     }

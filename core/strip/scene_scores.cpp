@@ -21,7 +21,8 @@ void SceneScores::addProbes(std::span<const ArmReading> arm)
         scored_.push_back(reading);
         const bool isBetween = !shown_->onePlane && reading.side == ProbeSide::Middle;
         const std::size_t side = reading.side == ProbeSide::Right ? 1 : 0;
-        const ShownBin& bin = shown_->side.at(side).at(static_cast<std::size_t>(reading.bin));
+        const ShownBands::Bin& bin =
+            shown_->side.at(side).at(static_cast<std::size_t>(reading.bin));
         const bool isMeasured = StripLedger::canScore(bin.band, reading.height, reading.sd);
         if (isMeasured && !isBetween && !bin.isProbed)
             probes_.add(ScoredBy::Probe, bin.band, reading.height, reading.sd);
@@ -30,7 +31,7 @@ void SceneScores::addProbes(std::span<const ArmReading> arm)
 
 void SceneScores::show(const TwoTrackEstimate& estimate)
 {
-    Shown& shown = shown_.emplace();
+    ShownBands& shown = shown_.emplace();
     shown.onePlane = estimate.onePlane;
     for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t i = 0; i < kBins; ++i) {

@@ -11,6 +11,16 @@
 
 namespace terratact {
 
+/// Bands of an estimate that is shown.
+struct ShownBands {
+    struct Bin {
+        HeightBand band;
+        bool isProbed = false;
+    };
+    std::array<std::array<Bin, kBins>, 2> side{};
+    bool onePlane = false;
+};
+
 /// Scores of the strip's bands, with those of the last scene kept apart, because they may be taken out. Contacts and
 /// passes of a scene count once, by its first estimate. A probe scores the estimate of its scene that was shown before
 /// it, unless the arm had measured that bin.
@@ -31,18 +41,9 @@ public:
     StripLedger all() const;
 
 private:
-    struct ShownBin {
-        HeightBand band;
-        bool isProbed = false;
-    };
-    struct Shown {
-        std::array<std::array<ShownBin, kBins>, 2> side{};
-        bool onePlane = false;
-    };
-
     StripLedger before_, probes_;
     std::optional<StripLedger> touches_;
-    std::optional<Shown> shown_;
+    std::optional<ShownBands> shown_;
     std::vector<ArmReading> scored_;
 };
 
