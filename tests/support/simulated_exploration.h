@@ -61,7 +61,7 @@ struct SimulatedExploration {
     bool reaches(AtemPhase phase)
     {
         return gui::eventually([&] {
-            if (exploration.state().phase != phase) tick();
+            if (exploration.state().phase != phase) tickUnlessComputing();
             return exploration.state().phase == phase;
         });
     }
@@ -76,6 +76,15 @@ struct SimulatedExploration {
         robot.command(HaltCommand{});
         tick(5);
     }
+    /// Lets time pass, except while the worker computes: its time limit is one of simulated time.
+    void tickUnlessComputing()
+    {
+        const AtemPhase phase = exploration.state().phase;
+        if (phase == AtemPhase::Estimating || phase == AtemPhase::EstimatingAgain)
+            exploration.tick({now, latest, std::nullopt});
+        else
+            tick();
+    }
     /// Explores; a probe that is proposed is refused.
     bool explore()
     {
@@ -84,7 +93,7 @@ struct SimulatedExploration {
             const AtemPhase phase = exploration.state().phase;
             if (phase == AtemPhase::ProposingProbe) exploration.refuse(exploration.proposal()->id);
             if (phase == AtemPhase::Presenting && estimation().estimate()) return true;
-            tick();
+            tickUnlessComputing();
             return false;
         });
         return ended;

@@ -83,6 +83,17 @@ struct GamepadConsole : BusConsole {
             return eventually([&] { return hasEvent(says); }, 1000);
         });
     }
+    /// Presses a button, and again as long as nothing follows, for the same reason.
+    bool pressesUntil(PadButton button, const std::function<bool()>& follows)
+    {
+        return eventually([&] {
+            if (follows()) return true;
+            pad->set(button, false);
+            settle();
+            pad->set(button, true);
+            return eventually(follows, 1000);
+        });
+    }
     bool drives()
     {
         holdsThenPushes();
@@ -266,13 +277,11 @@ TEST_F(GamepadConsole, theStepLimitChangesByOneStepPerPress)
     ASSERT_NO_FATAL_FAILURE(openScripted());
     const auto limit = [&] { return window->exploration().options().stepLimit; };
     const double before = limit();
-    pad->set(PadButton::Up, true);
-    EXPECT_TRUE(eventually([&] { return limit() > before; }));
+    EXPECT_TRUE(pressesUntil(PadButton::Up, [&] { return limit() > before; }));
     pad->set(PadButton::Up, false);
     settle();
     EXPECT_NEAR(limit(), before + 0.01, 1e-9) << "one step, however long it is pressed";
-    pad->set(PadButton::Down, true);
-    EXPECT_TRUE(eventually([&] { return limit() < before + 0.005; }));
+    EXPECT_TRUE(pressesUntil(PadButton::Down, [&] { return limit() < before + 0.005; }));
     pad->set(PadButton::Down, false);
     settle();
     EXPECT_DOUBLE_EQ(limit(), before);

@@ -22,6 +22,7 @@
 #include "widgets/base/held_button.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
+#include "widgets/control/precondition_grid.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
 #include "widgets/terrain/bin_inspector.h"
@@ -153,7 +154,7 @@ TEST_F(Screens, exploring)
              QCoreApplication::translate("PlanarGround", "left and right flippers differ by %1")});
         press(Qt::Key_O);
         picture("checks_overridden",
-                {StatusHeader::tr("! CHECK OVERRIDDEN"), AtemPanel::tr("%1 (overridden)")});
+                {StatusHeader::tr("! CHECK OVERRIDDEN"), PreconditionGrid::tr("%1 (overridden)")});
 
         robot->stage({.refuses = Refusal::NoRestPose});
         ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
