@@ -20,6 +20,7 @@ from x_operator import Operator, begin_console, begin_display  # noqa: E402
 
 PATIENCE = 60  # [s]
 SETTLING = 0.5  # [s] until a window that has appeared takes keys
+LINK_GOOD = 1.5  # [s] arming needs a link that was good for a second
 SESSION = ROOT / "resources" / "sessions" / "demo.tts"
 
 
@@ -52,6 +53,7 @@ class Tasks(unittest.TestCase):
             preferences=["probe-above=0.01", "theme=day"])
         self.operator = Counted(hands, session)
         self.until(lambda: any("model" in text for *_, text in self.operator.events("word")))
+        time.sleep(LINK_GOOD)
 
     def until(self, condition, seconds=PATIENCE):
         return self.operator.until(condition, seconds)

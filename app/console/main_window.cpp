@@ -267,6 +267,10 @@ void MainWindow::connectHeader()
         connect(header()->arming(), &ArmingControl::armingConfirmed, this,
                 [this] { link_->confirmArming(); });
         connect(header()->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
+        connect(header()->arming(), &ArmingControl::impossible, this,
+                [this](const Message& missing) {
+                    showWhyNot({TR_NOOP("terratact::MainWindow", "not armed: %1"), missing});
+                });
     }
 }
 

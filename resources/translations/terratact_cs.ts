@@ -7565,6 +7565,10 @@ F1</translation>
         <source>robot, language and units change at the next start: %1</source>
         <translation>robot, jazyk a jednotky se změní při příštím spuštění: %1</translation>
     </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>není aktivní: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>

@@ -7564,6 +7564,10 @@ F1</translation>
         <source>robot, language and units change at the next start: %1</source>
         <translation>Roboter, Sprache und Einheiten wechseln beim nächsten Start: %1</translation>
     </message>
+    <message>
+        <source>not armed: %1</source>
+        <translation>nicht freigegeben: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>

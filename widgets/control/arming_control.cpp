@@ -57,7 +57,8 @@ void ArmingControl::setState(const ArmingState& state, const QList<Precondition>
 {
     const bool off = state.phase == ArmingPhase::Disarmed;
     const bool on = state.phase == ArmingPhase::Armed;
-    const bool possible = !firstMissing(preconditions);
+    missing_ = firstMissing(preconditions);
+    const bool possible = !missing_;
     QString tip = possible ? tr("Asks for a second action within 5 s") : tr("Not possible now:");
     if (!preconditions.isEmpty()) tip += QLatin1Char('\n') + linesOf(preconditions);
     if (off && state.cause != DisarmCause::None)
@@ -105,6 +106,7 @@ void ArmingControl::pressKey()
     if (confirm_->isVisible()) return confirm_->hold();
     for (QPushButton* button : {arm_, disarm_})
         if (button->isVisible() && button->isEnabled()) return button->click();
+    if (arm_->isVisible() && missing_ && !listens_) emit impossible(*missing_);
 }
 
 void ArmingControl::releaseKey()

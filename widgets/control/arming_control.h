@@ -2,9 +2,11 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <optional>
 
 #include "app/display/precondition.h"
 #include "core/atem/arming.h"
+#include "core/base/message.h"
 
 class QPushButton;
 
@@ -29,7 +31,7 @@ public:
     QPushButton* disarmButton() const { return disarm_; }
 
     /// Press and release of the window-wide key. A press right after a release is not a second action: some X servers
-    /// repeat held keys so.
+    /// repeat held keys so. A press that cannot arm says why (impossible()).
     void pressKey();
     void releaseKey();
 
@@ -40,6 +42,8 @@ signals:
     void armingWanted();
     void armingConfirmed();
     void disarmed();
+    /// The key was pressed, and this precondition of arming is Missing.
+    void impossible(const terratact::Message& missing);
 
 private:
     QPushButton* arm_ = nullptr;
@@ -47,6 +51,7 @@ private:
     QPushButton* disarm_ = nullptr;
     QElapsedTimer released_;
     bool listens_ = false;
+    std::optional<Message> missing_;  ///< first Missing precondition of arming
 };
 
 }  // namespace terratact
