@@ -40,7 +40,7 @@ Limits:
 
 - The console records 9,000 frames a second and estimates all the time. Then 99 of 100 events wait at most 16 ms, and all at most 100 ms.
 - Telemetry at 20 Hz without an estimate takes less than 10 % of a core.
-- The console uses less than 150 MB, and less than 200 MB with four plots that run live all the time.
+- The console uses less than 150 MB. With four plots that run live all the time, it uses less than 200 MB.
 - Nine of ten estimates appear within 50 ms of their scene, by the default method and by a sampling one.
 - While the flippers move, 19 of 20 lines of telemetry have a live estimate.
 - A window appears within 0.5 s. *Mapped*: the X server has it. *Painted*: more than one colour is seen in it.

@@ -79,19 +79,18 @@ all cases. \`docs/extremes.sh $build\` made this page. The long forms and their 
 
 The cost of a truncated normal draw: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
 
-**Same bytes.** The same seed gives the same draws, states and estimate with g++ and clang++, at every optimisation and
-with any number of threads. This needs the same kernels (SSE4, AVX2 or AVX-512) and the same variants of the C library's
-functions. OpenBLAS must run in one thread, as both programs set it.
+**Same bytes.** The same seed gives the same draws, states and estimate with g++ and clang++. Optimisation level and number of threads do
+not matter. This needs the same kernels (SSE4, AVX2 or AVX-512) and the same variants of the C library's functions. OpenBLAS must run in one
+thread, as both programs set it.
 
-**Singular models.** The covariance of the training rows may be singular to working precision. Then a jitter of 1e-10 to
-1e-6 of its diagonal is added and kept with the process. A model's file has hyper-parameters and rows; the same jitter follows
-from them. An estimate that used it has a warning, and \`terratact train\` prints one when it ends. A model that this does not
-mend is refused. The relative error of an accepted model is 1e-14 over the reciprocal condition number, at most 1e-2. For a
-variance, it is relative to that of the prior. For a mean, it is relative to the largest sum of its terms. That sum is
-about the largest output where outputs are as smooth as the length scales (\`core/learn/gp/gaussian_process.h\`). Gaussian
-processes subtract inputs before they scale them, so length scales of 1e-8 separate rows that are 1e-8 apart. A
-sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and the same condition. The
-surface processes of \`local\` and \`joint\` always have a jitter of 1e-6 (\`core/learn/gp/projected_process.h\`). The same
+**Singular models.** The covariance of the training rows may be singular to working precision. Then a jitter of 1e-10 to 1e-6 of its
+diagonal is added and kept with the process. A model's file has hyper-parameters and rows; the same jitter follows from them. An estimate
+that used it has a warning, and \`terratact train\` prints one when it ends. A model that this does not mend is refused. The relative error
+of an accepted model is 1e-14 over the reciprocal condition number, at most 1e-2. For a variance, it is relative to that of the prior. For a
+mean, it is relative to the largest sum of its terms. That sum is about the largest output where outputs are as smooth as the length scales
+(\`core/learn/gp/gaussian_process.h\`). Gaussian processes subtract inputs before they scale them, so length scales of 1e-8 separate rows
+that are 1e-8 apart. Where the noise is less than that of the signal, a sparse process has a jitter of up to 1e-9. Its condition is the
+same. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6 (\`core/learn/gp/projected_process.h\`). The same
 condition refuses them in training.
 
 **Constant chains.** R-hat of equal draws is undefined.  Such an estimate has not converged and has a warning. The exception

@@ -18,8 +18,8 @@ suspected, no verdict is given, and an alarm names the sensor and the kind of fa
 - *drives*: drives [%] in which the watch suspects something. *after s*, *scenes*: the median time and scenes until then.
 - *left mm*, *in 80*: error and cover of the scenes without a doubt.
 
-A fault is harmful where it adds more than 5 mm to the mean error, or takes more than 10 points from the cover. It counts as noticed
-where 90 % of the scenes are in doubt, or 90 % of the drives suspected.
+A fault is harmful if it adds more than 5 mm to the mean error. It is also harmful if it takes more than 10 points from the cover. It counts
+as noticed where 90 % of the scenes are in doubt, or 90 % of the drives suspected.
 
 To practise: `terratact-console --fault stuck:pitch@20`. To record scenes: `terratact simulate --disturb late:front`. Every kind and sensor:
 FAULTS in `man terratact`.
@@ -36,9 +36,9 @@ table >>"$page"
 cat >>"$page" <<'EOF'
 
 In one direction, a tilt of the IMU agrees with every other reading. In this trial the robot therefore turns on the spot at the end of its
-way, and returns over the same ground. The slope of the ground then changes its sign; a shift of the pitch does not. The shift is noticed
-at the end of the drive, not in each scene: after 2.5 m back or more. A robot that backs up without a turn measures the same slope again,
-and notices nothing. Drives that come back less than 3 m are left out: the robot got stuck or tipped over.
+way. It returns over the same ground. The slope of the ground then changes its sign; a shift of the pitch does not. The shift is noticed at
+the end of the drive, not in each scene: after 2.5 m back or more. A robot that backs up without a turn measures the same slope again, and
+notices nothing. Drives that come back less than 3 m are left out: the robot got stuck or tipped over.
 
     terratact faults --drives 40 --seed 1 --return
 

@@ -24,15 +24,15 @@ trap 'rm -f "$page"' EXIT
   "$terratact" hazards --drives "$drives" --rates "$rates"
   echo '```'
   echo
-  echo 'Three hazards remain at the default rate. One is a gap whose far edge lies within 0.02 m of the pivot: there the first element loses less'
-  echo 'load than its noise. The others are falls that begin within the last 0.02 m before the horizon, and slots of less than 0.05 m.'
+  echo 'Three hazards remain at the default rate. One is a gap whose far edge lies within 0.02 m of the pivot. There the first element loses less'
+  echo 'load than its noise. Another is a fall that begins within the last 0.02 m before the horizon. The third is a slot of less than 0.05 m.'
   echo
   echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt. The readings seldom distinguish'
   echo 'flat ground from a gap that the flippers span. CLEAR needs a probe or a lower rate. The tables show what a lower rate costs.'
   echo
   echo '## Two tracks'
   echo
-  echo 'The same drives over ground under two tracks, with the hazard on one side or on both, estimated and judged for left and right:'
+  echo 'The same drives over ground of two lines have the hazard on one side or on both. Left and right are estimated and judged:'
   echo
   echo "    terratact hazards --tracks --drives $drives"
   echo
@@ -48,9 +48,9 @@ trap 'rm -f "$page"' EXIT
   echo
   echo "    terratact hazards --tracks --memory --drives $remembered"
   echo
-  echo 'First come drives that turn, reverse and probe (`app/modelling/manoeuvre_drives.h`). Their ground is known everywhere: a hazard lies across'
-  echo 'the way, or beside it, where a turned robot reaches it with a flipper and a straight one does not. The arm touches a point of a bin. What'
-  echo 'lies between two points, or a point and felt ground, 0.1 m apart at most, counts as felt. A reading far from the estimate counts by itself.'
+  echo 'First come drives that turn, reverse and probe (`app/modelling/manoeuvre_drives.h`). Their ground is known everywhere. A hazard lies across'
+  echo 'the way, or beside it, where only a turned robot reaches it with a flipper. The arm touches a point of a bin. What lies between two points,'
+  echo 'or a point and felt ground, 0.1 m apart at most, counts as felt. A reading far from the estimate counts by itself.'
   echo
   echo '```'
   "$terratact" hazards --tracks --memory --drives "$remembered"

@@ -36,35 +36,37 @@ show() {
 cat >"$page" <<'TEXT'
 # Memory of the way
 
-Ground under the body was under the front flippers a moment ago, and the pitch along the way is a profile of the ground under the tracks.
-The method `trail` estimates a scene from its readings and from that memory. `core/trail` holds it.
+Ground under the body was under the front flippers a moment ago. The pitch along the way is a profile of the ground under the tracks. The
+method `trail` estimates a scene from its readings and from that memory. `core/trail` holds it.
 
-- **Record** (`trail_record.h`): the attitude and the lower envelope of the robot every 2 cm of way, and the forces of every press, for the
-  last 3 m. Dead reckoning places them. A tight turn, a second without telemetry or a jump of the odometry empties it.
-- **History** (`trail_history.h`): what the record tells at a scene. Pitch and roll at ten places behind the robot; for each bin the lowest
-  place of the robot that passed above it, and the load and height of the force elements that pressed near it.
+- **Record** (`trail_record.h`): it covers the last 3 m. It holds the attitude and the robot's lower envelope every 2 cm of way. It also
+  holds the forces of every press. Dead reckoning places them. A tight turn, a second without telemetry or a jump of the odometry empties
+  it.
+- **History** (`trail_history.h`): what the record tells at a scene. It has pitch and roll at ten places behind the robot. For each bin it
+  has the lowest place of the robot that passed above it. It also has the load and height of the force elements that pressed near it.
 - **Ways back**: networks know ways forward alone. Where the robot drives back, the record drops what it learnt at the places ahead, except
   the arm's readings. With them, bands of felt bins covered only 50 to 70 % while reversing: the truth lay above.
-- **Felt earlier**: the history also tells which tenths of a bin the flippers pressed from an earlier pose, and the heights that the arm
-  measured. A bin that earlier and present presses cover is *remembered*. It counts as felt for the verdict's horizon while dead reckoning
-  adds at most 30 mm to its height, the robot has not turned aside by half a flipper's width, and an element ahead carries load now. One
-  sd of slip is taken from both ends of each stretch. A suspected sensor ends it, and a robot without a heading remembers nothing felt. An
-  arm's reading moves its new bin, but does not make it felt: a fall may begin beside the point that the arm touched.
+- **Felt earlier**: the history also tells which tenths of a bin the flippers pressed from an earlier pose. It also holds the heights that
+  the arm measured. A bin that earlier and present presses cover is *remembered*. Under three conditions it counts as felt for the verdict's
+  horizon. Dead reckoning adds at most 30 mm to its height. The robot has not turned aside by half a flipper's width. An element ahead
+  carries load now. One sd of slip is taken from both ends of each stretch. A suspected sensor ends it, and a robot without a heading
+  remembers nothing felt. An arm's reading moves its new bin, but does not make it felt. A fall may begin beside the point that the arm
+  touched.
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of
   bins and sides.
 
-Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`, and a warning says so.
-`terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
+Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`. A warning says
+so. `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
 
-The console uses `trail` by default where the way before a scene is known; otherwise `local` estimates. The line above the
-picture says how much is remembered, such as "memory: 1.20 m · earlier presses: 4", or why nothing is: the way begins there, no odometry, lost
-telemetry, a turn, a suspected odometry or pitch, cleared ground, a current or a force that was not measured, or a model without networks.
-The networks are the file beside the model, with the ending `.ttn`. The shipped ones serve robots with Absolem's shape. Sessions record the
-history of each scene ([sessions.md](sessions.md#memory-of-the-way)). The review and `session what-if` repeat the estimates bit for bit.
-`evaluate --drives` compares both methods.
-`terratact strip --method trail` scores what was said along drives against later touches ([strip.md](strip.md#whether-its-bands-hold)).
+The console uses `trail` by default where the way before a scene is known; otherwise `local` estimates. The line above the picture says how
+much is remembered, such as "memory: 1.20 m · earlier presses: 4". Else it says why nothing is remembered: the way begins there, no
+odometry, lost telemetry, a turn, or cleared ground. Other causes are a suspected odometry or pitch, a missing current or force, or a model
+without networks. The networks are the file beside the model, with the ending `.ttn`. The shipped ones serve robots with Absolem's shape.
+Sessions record the history of each scene ([sessions.md](sessions.md#memory-of-the-way)). The review and `session what-if` repeat the
+estimates bit for bit. `evaluate --drives` compares both methods. `terratact strip --method trail` scores what was said along drives against
+later touches ([strip.md](strip.md#whether-its-bands-hold)).
 
 `docs/memory.sh` made this page. Errors are |median - truth| in mm. Of two tracks, both sides count. No constant was chosen on real ground.
 
@@ -79,7 +81,7 @@ show --drives "$drives" --terrain track_pairs.csv --tracks --spacing 0.1
 printf '\n## Generated ground\n' >>"$page"
 show --drives 150 --terrain varied --soft-drives 0.3
 show --drives 150 --terrain varied --soft-drives 0.3 --tracks
-printf '\n## Worse odometry, IMU and telemetry\n\nSlip of 20 %% instead of 10 %%; a pitch that reads 1 degree too much; every other stop without a press; half a second and 1.2 s\nof telemetry lost once per drive.\n' >>"$page"
+printf '\n## Worse odometry, IMU and telemetry\n\nThe first drives have a slip of 20 %% instead of 10 %%. The second have a pitch that reads 1 degree too much. The third have no press at\nevery other stop. The fourth lose half a second of telemetry once per drive, the fifth 1.2 s.\n' >>"$page"
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --slip 0.2
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --pitch-bias 1
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --press-share 0.5

@@ -14,11 +14,11 @@ tests/bench/training.sh "$build" >"$training"
 cat >docs/speed.md <<END
 # What sampling and training cost
 
-\`docs/speed.sh $build $rounds\` made this page; it runs \`tests/bench/run.sh $build $rounds\`.  That runs the sampler and the same work in NumPy
-and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  NumPy has the fastest kernels that its
-OpenBLAS offers for this processor.  Debian 12's does not always find them by itself (\`tests/bench/peer_blas.py\`).
-Compare ratios, because times depend on the machine and the hour.  Other programs on its cores change what the caches hold.
-NumPy needs more of the caches, so more load makes the ratios to NumPy larger.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
+\`docs/speed.sh $build $rounds\` made this page; it runs \`tests/bench/run.sh $build $rounds\`.  That runs the sampler and the same work in
+NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns. It uses one thread and measures processor time.  NumPy has the fastest kernels
+that its OpenBLAS offers for this processor.  Debian 12's does not always find them by itself (\`tests/bench/peer_blas.py\`). Compare
+ratios, because times depend on the machine and the hour.  Other programs on its cores change what the caches hold. NumPy needs more of the
+caches, so more load makes the ratios to NumPy larger.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
 
 A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
 their own known bins and 20 sweeps per chain.  They include all the work of \`evaluate\` and \`reconstruct\`.
@@ -44,21 +44,20 @@ of bins.  Scenes with a limit of seconds stay alone, too, because the limit is t
 
 ## What a sweep saves, and what limits the rest
 
-Most training rows add little to others: given well chosen rows, the remaining variance of a row is far below the noise.
-In single precision a variance therefore goes through selected rows (\`core/learn/gp/sparse_process.h\`).  They leave no other
-row more than 1e-4 of the noise's variance, and all others together no more than 1 %.  They are chosen when a process is first
-used; the table shows how many of the products are left.  A mean goes through all rows, in double.  The result is compared with
-all rows where a process is first used.  It is not used where a variance is off by more than 0.2 % at sixteen probes.  This
-command prints how far variances of the shipped model are off, from likely to absurd states:
-\`build/headless/tests/core.learn.model.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is left out.
+Most training rows add little to others. Given well chosen rows, the remaining variance of a row is far below the noise. In single precision
+a variance therefore goes through selected rows (\`core/learn/gp/sparse_process.h\`).  They leave no other row more than 1e-4 of the noise's
+variance, and all others together no more than 1 %.  They are chosen when a process is first used; the table shows how many of the products
+are left.  A mean goes through all rows, in double.  The result is compared with all rows where a process is first used.  It is not used
+where a variance is off by more than 0.2 % at sixteen probes.  This command prints how far variances of the shipped model are off, from
+likely to absurd states: \`build/headless/tests/core.learn.model.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is
+left out.
 
-*quadratic form*: measured with one bin's factor of all rows, which the nearest caches keep in part.  *rest*: the extra cost
-of nine bins' factors, which are smaller and come from farther away, of standardising, and of keeping draws.
+*quadratic form*: measured with one bin's factor of all rows, which the nearest caches keep in part.  *rest*: the extra cost of nine bins'
+factors (smaller and farther away), of standardising, and of keeping draws.
 
-A peer in double computes twice as many vectors for the same numbers, and whole squares where a triangle would do.  Its share
-of the peak in double shows how much of a ratio that is.  One scene makes as many sweeps in NumPy as here.  Its ratio is that
-of chain-sweeps, less the cost of summarising.  AVX2 against AVX-512 is bounded by the ratio of their peaks, if both reach the
-same share.
+A peer in double computes twice as many vectors for the same numbers. It computes whole squares where a triangle would do.  Its share of the
+peak in double shows how much of a ratio that is.  One scene makes as many sweeps in NumPy as here.  Its ratio is that of chain-sweeps, less
+the cost of summarising.  AVX2 against AVX-512 is bounded by the ratio of their peaks, if both reach the same share.
 
 ## Training
 

@@ -12,9 +12,9 @@ trap 'rm -f "$page"' EXIT
   cat <<'TEXT'
 # The strip of felt ground
 
-The robot keeps what it felt along its way. The strip holds the ground in bins of 0.1 m, left and right. Each bin has a height, its 80 % band,
-the time of its scene, and how it was felt: *arm*, *contact* (a front flipper pressed on all of it), *track*, *in part*, *bounded* (the robot
-was above it and did not press) or *not felt*. `core/strip/strip.h` is the contract.
+The robot keeps what it felt along its way. The strip holds the ground in bins of 0.1 m, left and right. Each bin has a height, its 80 %
+band, the time of its scene, and how it was felt: *arm*, *contact* (a front flipper pressed on all of it), *track* or *in part*. It is
+*bounded* if the robot was above it and did not press, else *not felt*. `core/strip/strip.h` is the contract.
 
 ## How it is built
 
@@ -56,10 +56,11 @@ how many bands held, such as "bands held: 83 of 100". `terratact session strip` 
 
 ## On the screen
 
-The terrain picture draws remembered ground behind, under and ahead of the robot, in the console and in a review: a dashed line in a band
-without marks, dotted where the ground was bounded or felt in part. Its standard deviation stands beside it. While an estimate stands, only the
-ground behind it is drawn. Ground that was not felt is not drawn, nor ground with an sd above 0.15 m. Remembered ground decides nothing: the
-verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot again.
+The terrain picture draws remembered ground behind, under and ahead of the robot, in the console and in a review. It is a dashed line in a
+band without marks, dotted where the ground was bounded or felt in part. Its standard deviation stands beside it. While an estimate stands,
+only the ground behind it is drawn. Ground that was not felt is not drawn, nor ground with an sd above 0.15 m. Remembered ground decides
+nothing: the verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot
+again.
 
 ## Export
 
@@ -70,7 +71,7 @@ verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves
 | `section`, `start` | number of the section, and why it begins |
 | `side`, `one_plane` | left or right; 1 if the estimate was of one plane, so both sides are equal |
 | `x_m` | centre of the bin along the way, from the IMU of the section's first scene |
-| `plan_x_m`, `plan_y_m` | the same from above: forward and left, on the line of the track, or of the flipper for bins from +0.3 m |
+| `plan_x_m`, `plan_y_m` | the same from above: forward and left. It is on the line of the track, or of the flipper from +0.3 m on |
 | `height_m`, `sd_m`, `q10_m`, `q90_m` | height above that IMU, as certain as when it was felt |
 | `drift_sd_m` | sd of the height by the way since the section's begin |
 | `felt` | how it was felt |
@@ -80,12 +81,12 @@ verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves
 PCL) expect, with z up. `sd`, `time`, `side` (0 left, 1 right), `felt` (0 arm to 6 not recorded) and `section` are further properties.
 Sections have frames of their own; `--section 2` writes one alone.
 
-`--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands, in pieces of 6 m with equal axes and a scale. The sides differ
-by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest
+`--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands. Each piece has 6 m, equal axes and a scale. The sides
+differ by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest
 estimate; all else is remembered. An SVG keeps the columns above in its `<metadata>`.
 
-The console writes the same files: *View > Export the strip of felt ground …* of the strip as it is now, and a review by its export dialog of
-the whole session.
+The console writes the same files: *View > Export the strip of felt ground …* of the strip as it is now. A review writes that of the whole
+session by its export dialog.
 
 ## What it is worth
 
@@ -116,8 +117,8 @@ within the bands. A console has no truth; its ledger stands for it.
 Errors are in mm, *width* is that of the 80 % band. The rule and the weight of shared ground were chosen on such drives. The strip decides nothing:
 the verdict rests on the estimate of the present scene.
 
-Behind the robot, the way is what errs: a bin that is entered 0.1 m too far is wrong by the whole height of a step. The trial does not cover
-turns, slip that is not a share of the way, soft ground, or real odometry.
+Behind the robot, the errors come from the way. A bin that is entered 0.1 m too far is wrong by the whole height of a step. The trial does
+not cover turns, slip that is not a share of the way, soft ground, or real odometry.
 TEXT
 } >"$page"
 cp "$page" strip.md

@@ -20,7 +20,7 @@ show() {
 say '# Time and accuracy' '' \
   '`docs/tradeoff.sh build/release/app/terratact` made this page from generated scenes, so anybody can repeat it.' \
   "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are medians of processor time over the scenes; compare ratios.  They exclude the factors that a model computes on first use." '' \
-  'The distance from a long run of the same method shows the cost of fewer draws, single precision or fewer inducing rows.' \
+  'The distance from a long run of the same method shows the cost of an economy. Economies are fewer draws, single precision or fewer inducing rows.' \
   'The error against the truth shows whether it matters.  A method may be certain and wrong: compare both.' \
   'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table.  They are measured as the program runs them: they end once the chains have converged.' \
   '`pafac` makes two estimates: one to choose where the arm probes, and one with its reading. The time is of the second.'

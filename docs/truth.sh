@@ -37,9 +37,9 @@ trial() {
 
 | input | read |
 |---|---|
-| cloud | PCD: ascii, binary, binary_compressed, every number type. PLY: ascii, both byte orders. Text: x y z in m, by the first columns or by name, also with decimal commas between semicolons, tabs or blanks; PTS. LAS and LAZ are not read, because Debian 12 packages no library for them; convert them to PLY or text. |
-| scans | with `--scans`, clouds in the sensor's frame, named by their times (`1436509052.25.pcd`); with `--topic`, messages of PointCloud2 in the recordings that `import` reads. `--sensor-mount` says where the sensor is, or with `--tf-base base_link` /tf and /tf_static of the recordings |
-| poses | TUM (`time x y z qx qy qz qw`), CSV with these columns and possibly `run`, or with `--mapping` the odometry of a recording: a topic, or the transforms between two frames. `--pose-mount` says where their frame is in the base |
+| cloud | PCD: ascii, binary, binary_compressed, every number type. PLY: ascii, both byte orders. Text: x y z in m, by the first columns or by name. Decimal commas are read between semicolons, tabs or blanks. PTS is read, too. LAS and LAZ are not read, because Debian 12 packages no library for them; convert them to PLY or text. |
+| scans | with `--scans`, clouds in the sensor's frame, named by their times (`1436509052.25.pcd`). With `--topic`, messages of PointCloud2 in the recordings that `import` reads. `--sensor-mount` says where the sensor is, or with `--tf-base base_link` /tf and /tf_static of the recordings |
+| poses | TUM (`time x y z qx qy qz qw`), or CSV with these columns and possibly `run`. With `--mapping`, the odometry of a recording: a topic, or the transforms between two frames. `--pose-mount` says where their frame is in the base |
 | scenes | of one plane, or of left and right. Their `t_s` counts from the begin of the drive: `--session` or `--start` gives the poses' clock there |
 
 The cloud's frame has z up. Of a pose only place and heading count for a scene: pitch and roll are those that the robot measured.
@@ -63,11 +63,11 @@ The first command stands in for a robot's drive and its laser map, which lies 4 
     run,t_s,side,bin_m,height_m,sd_m,points,cells
     1,0,left,-0.3,…
 
-Look at `sheet.png` before you train: it shows the cloud's slice, the robot and the bins of up to 40 scenes.
+Look at `sheet.png` before you train. For up to 40 scenes it shows the cloud's slice, the robot and the bins.
 
 ## Decide scene by scene
 
-The paper sampled its truth by hand. `--review` writes a truth file for the console, which shows the slice of each scene's cloud, the robot and
+The paper sampled its truth by hand. `--review` writes a truth file for the console. It shows the slice of each scene's cloud, the robot and
 the bins with one and two sd:
 
     $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out truth.csv --align --review drive.truth
@@ -75,9 +75,9 @@ the bins with one and two sd:
     40 scenes with … known heights written to truth.csv
 
 `terratact-console drive.truth`, or *Open* in any window, opens it. Keys: A accepts a scene, X excludes it, and the next open scene appears.
-U and D move the heights up and down by 5 mm; F and G tilt the ground ahead up and down by 0.005 rad; 0 takes the nudge away. Ctrl+Z undoes.
-The decisions are saved by themselves in `drive.truth.decisions.csv`. The truth file is never changed. Ctrl+E writes the scenes with the decisions
-under a new name. A place along the way cannot be nudged, because every bin changes with it: correct the poses.
+U and D move the heights up and down by 5 mm. F and G tilt the ground ahead up and down by 0.005 rad. 0 takes the nudge away. Ctrl+Z undoes.
+The decisions are saved by themselves in `drive.truth.decisions.csv`. The truth file is never changed. Ctrl+E writes the scenes with the
+decisions under a new name. A place along the way cannot be nudged, because every bin changes with it: correct the poses.
 
 The same decisions act on the command line. A run beside the row guards against decisions on other scenes. Scenes without a decision are accepted:
 
@@ -92,14 +92,14 @@ are those before the decisions.
 
 ## How it works
 
-- **Cells.** Under each scene, points fall into cells of 2 cm along four lines: the left and right track and flippers of the
+- **Cells.** Under each scene, points fall into cells of 2 cm along four lines. These are the left and right track and flippers of the
   [robot file](robot.md), each as wide as the part. A cell keeps up to 48 heights as a fair sample. Memory grows with the scenes, at most
   192 MB, and not with the cloud: 20 million points around 200 scenes in one hall took 20 s and 28 MB on two busy processors. Where
   thousands of scenes lie on a few square metres, choose runs with `--run`.
-- **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out; in
-  a noisy cloud three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.
-- **Ground.** A cell's height is the median of its points. Among plants, `--percentile 15` takes the ground below them; on bare ground it
-  is too low by one sd of the noise. Of two levels with a gap of 0.35 m, such as floor and table, the lower one counts.
+- **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out. In a
+  noisy cloud that is three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.
+- **Ground.** A cell's height is the median of its points. Among plants, `--percentile 15` takes the ground below them. On bare ground it is
+  too low by one sd of the noise. Of two levels with a gap of 0.35 m, such as floor and table, the lower one counts.
 - **Bins.** A bin is the mean of its five cells. It needs three; cells in a hole are interpolated. Its sd has the spread and number of
   points, the rise across holes, and the scatter of the alignment. Bins with an sd above `--max-sd` stay empty. `--support` writes sd,
   points and cells of each bin.
@@ -116,9 +116,9 @@ If the alignment is large, nothing is known well enough without `--align`: the o
 
 ## Bad input
 
-Every refusal is one sentence with file, line, what was expected and what to do; nothing is written. A cloud that ends too early, a header
-that does not agree with its points, poses that jump faster than `--max-speed`, times that do not rise, and quaternions of another length
-are refused. Points that are NaN are counted and left out.
+Every refusal is one sentence with file, line, what was expected and what to do; nothing is written. A cloud that ends too early, or whose
+header does not agree with its points, is refused. So are poses that jump faster than `--max-speed`, times that do not rise, and quaternions
+of another length. Points that are NaN are counted and left out.
 
     $ head -c 100000 map.pcd > half.pcd
     $ terratact truth half.pcd --scenes scenes.csv --poses poses.csv --out other.csv
@@ -146,10 +146,10 @@ TEXT
   trial 'bare ground, `--percentile 15`' '' '--percentile 15'
   cat <<'TEXT'
 
-The largest errors are bins in which only the robot's own points lie, only one side of a step, or a wall of more than 0.35 m. The bands are too wide on smooth
-clouds, because the scatter of the alignment also has the error of the measured pitch. A real map has errors that these clouds do not have:
-drift of the poses, double walls, beams that graze the ground, ground that gave way. Measure yours: on a flat floor all bins of a scene
-should be equal.
+The largest errors are in three kinds of bins. They hold only the robot's own points, one side of a step, or a wall of more than 0.35 m. The
+bands are too wide on smooth clouds. The scatter of the alignment also has the error of the measured pitch. A real map has errors that these
+clouds do not have. These are drift of the poses, double walls, beams that graze the ground, and ground that gave way. Measure yours: on a
+flat floor all bins of a scene should be equal.
 TEXT
 } >"$page"
 cp "$page" truth.md
