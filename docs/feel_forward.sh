@@ -44,7 +44,7 @@ trap 'rm -f "$page"' EXIT
   echo '  of the table gives 1.9 s for a press with its estimate. Raising and advancing take 2.6 s. Of 577 presses, 417 ended a loop. They take half'
   echo '  of the time of all loops, so fewer questions, not shorter waits, would raise the pace.'
   echo '- On hard rough ground it asks at nearly every stop. The flippers rest there on one or two points, so the ground between them is only'
-  echo '  bounded. The operator then drives by hand, or asks for a probe. The method trail errs less there, and counts what'
+  echo '  bounded. The operator then drives by hand, or asks for a probe. The method trail has smaller errors there, and counts what'
   echo '  was felt at earlier stops. But single points feel little ground.'
   echo '- The simulated robot raises its front flippers to 1.2 rad before an advance. Their tips then come no further ahead than when they pressed.'
   echo '  So they cannot meet a wall that nobody has felt. A robot that raises them less can (*touch*).'

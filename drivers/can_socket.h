@@ -36,7 +36,7 @@ public:
     /// count.
     virtual Link link() const = 0;
 
-    virtual std::uint64_t drops() const = 0;        ///< frames that found no room so far
+    virtual std::uint64_t drops() const = 0;        ///< frames dropped so far
     virtual std::size_t receiveBuffer() const = 0;  ///< granted size [B]
 };
 

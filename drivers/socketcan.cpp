@@ -197,7 +197,7 @@ void SocketCan::poll()
             became(BusState::Absent);
         } else {
             became(link == CanSocket::Link::Up ? BusState::Up : BusState::Down);
-            // An echo that found no room never comes: the window is cleared.
+            // A dropped echo never comes: the window is cleared.
             if (const std::uint64_t dropped = drops(); dropped != knownDrops_) {
                 knownDrops_ = dropped;
                 unconfirmed_.clear();

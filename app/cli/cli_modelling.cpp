@@ -63,7 +63,7 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                   "tracks");
     addInput(*c, "--generated", o->generated,
              "Generated scenes CSV of left and right, mixed to the real ones of --tracks with the "
-             "weight that errs least on held-out files, runs or parts of a run")
+             "weight with the least error on held-out files, runs or parts of a run")
         ->needs(tracks);
     auto* const plane = addInput(*c, "--plane", o->plane,
                                  "Model that learns --tracks; it keeps what it knows of one plane")

@@ -78,7 +78,7 @@ private:
                 fmt::format("is of {}, the log began with {}: choose one with --interface",
                             logged.interface, interface_)));
         last_ = sessionTimeOf(log.elapsed() - begin_);
-        if (Status told = logSteps(); !told) return told;
+        if (Status done = logSteps(); !done) return done;
         const FrameRow row{
             .time = last_, .frame = logged.frame, .sent = logged.direction == LogDirection::Sent};
         if (Status added = writer_->add(row); !added) return added;
@@ -91,7 +91,7 @@ private:
         constexpr std::size_t kMax = 200;  // bound on steps that are listed one by one
         if (!writer_) return;
         if (loggedSteps_ + steps_.size() >= kMax) {
-            ++untold_;
+            ++unlogged_;
             return;
         }
         const double step = *log.stepBack();
@@ -126,10 +126,10 @@ private:
     {
         if (Status status = logSteps(); !status) return status;
         std::vector<EventRow> rows;
-        if (untold_ > 0)
+        if (unlogged_ > 0)
             rows.push_back(
                 event(EventKind::Gap, "clock",
-                      {TR_NOOP("core", "the log's clock was set back %1 more times"), untold_}));
+                      {TR_NOOP("core", "the log's clock was set back %1 more times"), unlogged_}));
         if (log.dropped() > 0) {
             rows.push_back(event(EventKind::Gap, "log",
                                  TR_NOOP("core", "frames that were lost when the log was "
@@ -170,7 +170,7 @@ private:
     std::optional<SessionInProgress> inProgress_;
     double begin_ = 0.0;  ///< [s] of the first frame on the log's even clock
     SessionTime last_ = 0;
-    std::uint64_t count_ = 0, untold_ = 0;
+    std::uint64_t count_ = 0, unlogged_ = 0;
     std::int64_t events_ = 0;
     std::size_t loggedSteps_ = 0;
     std::vector<Message> steps_;  ///< clock steps since the last frame

@@ -52,7 +52,7 @@ public:
     ~ConnectWindow() override;
 
     void lookAgain();  ///< looks at the CAN interfaces anew; does nothing while it looks
-    /// Opens a file that was chosen as a session or as a log; says what is wrong if it is none.
+    /// Opens a file that was chosen as a session or as a log. Says what is wrong if it is none.
     void openFile(const QString& path, bool asSession);
 
     QListWidget* list() const { return list_; }

@@ -25,7 +25,7 @@ private:
     bool holds_ = false;
 };
 
-/// Turns what the gamepad wants into what its window's buttons and keys do; it has no way of its own to the robot.
+/// Presses the window's buttons and keys for the gamepad. It has no way of its own to the robot.
 /// GUI thread only.
 class GamepadControl final : public QObject {
     Q_OBJECT

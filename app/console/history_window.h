@@ -11,9 +11,10 @@ namespace terratact {
 
 class EstimateHistory;
 
-/// The estimates of this run as a list, newest first, each with a thumbnail. It emits what the operator wants to see and
-/// changes nothing itself: to open it chooses no estimate. Up, Down and the mouse choose an estimate to show; L lays it over the present one; Backspace
-/// returns to the present; Ctrl+Z brings a hidden estimate back; Esc closes the window.
+/// The estimates of this run as a list, newest first, each with a thumbnail. It emits what the
+/// operator wants to see and changes nothing itself: to open it chooses no estimate. Up, Down and
+/// the mouse choose an estimate to show. L lays it over the present one; Backspace returns to the
+/// present. Ctrl+Z brings a hidden estimate back, and Esc closes the window.
 class HistoryWindow final : public QWidget {
     Q_OBJECT
 public:

@@ -20,8 +20,8 @@ public:
     /// Shows what the console shows. limits: those of the console's page; banner: its link banner, empty: none.
     void show(const TerrainViewState& viewState, double stepLimit, double threshold,
               const QString& banner);
-    /// Opens the window without taking the keys from the console, on another screen if there is one, else
-    /// below the console's header.
+    /// Opens the window without taking the keys from the console. It is on another screen if there
+    /// is one, else below the console's header.
     void open();
     TerrainPage* page() const { return page_; }
     PlainLabel* banner() const { return banner_; }

@@ -29,8 +29,8 @@ struct SnapshotFiles {
 SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc);
 
 /// Writes snapshots, one at a time, in a thread of its own: a picture takes longer than a frame of the console, and a
-/// disk may be slow. No call waits for the thread; the destructor waits for kMaxWait at most, so that a disk that hangs
-/// cannot keep the console open. What is not written by then is lost; no half file appears.
+/// disk may be slow. No call waits for the thread. The destructor waits for kMaxWait at most, so that a hanging disk
+/// does not keep the console open. What is not written by then is lost; no half file appears.
 class SnapshotWriter final : public QObject {
     Q_OBJECT
 public:

@@ -7,9 +7,10 @@
 
 namespace terratact {
 
-/// Draws the numbers of a robot file: the side view on a flat floor, with flippers at angle 0 and, dashed, raised by
-/// 0.7 rad; force elements, centres of mass, the IMU with its bins, and the arm's reach; and the view from above. The
-/// file is PNG, SVG or PDF by its ending, written under a temporary name and renamed. Errors name the file.
+/// Draws the numbers of a robot file: side view on a flat floor and view from above. Flippers are at angle
+/// 0 and, dashed, raised by 0.7 rad. Force elements, centres of mass, the IMU with its bins, and the arm's
+/// reach are marked. The file is PNG, SVG or PDF by its ending, written under a temporary name and renamed.
+/// Errors name the file.
 Status writeRobotFigure(const std::string& path, const RobotModel& robot);
 
 }  // namespace terratact

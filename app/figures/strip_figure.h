@@ -10,10 +10,11 @@
 
 namespace terratact {
 
-/// Returns pictures of the ground felt along the way: each shows a piece of at most kStripPiece of one section, the left
-/// and the right side, the 0.1 to 0.9 quantiles as bands. Axes are equal [m], with a scale. Sides differ by colour, line
-/// and band; how a bin was felt shows by shape; a bracket marks the newest estimate, so that all else is remembered. The
-/// pictures keep the strip. only: number of the only section to draw, from 1; empty: all.
+/// Returns pictures of the ground felt along the way. Each shows a piece of at most kStripPiece of
+/// one section: left, right, and bands of the 0.1 to 0.9 quantiles. Axes are equal [m], with a
+/// scale. Sides differ by colour, line and band. Shapes show how a bin was felt. A bracket marks
+/// the newest estimate, so all else is remembered. The pictures keep the strip. only: number of the
+/// only section to draw, from 1; empty: all.
 std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip,
                                            std::optional<int> only = {});
 inline constexpr double kStripPiece = 6.0;  ///< [m]

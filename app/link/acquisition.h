@@ -51,7 +51,7 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
 /// and is never flooded. The source must outlive the Acquisition.
 class Acquisition {
 public:
-    /// heard: called by that thread after each new latest(); empty: no callback. robot: its sensors are checked at
+    /// received: called by that thread after each new latest(); empty: no callback. robot: its sensors are checked at
     /// every sample (SensorWatch). Empty: no check.
     explicit Acquisition(MeasurementSource& source, std::function<void()> received = {},
                          const std::optional<RobotModel>& robot = {});

@@ -72,7 +72,7 @@ public:
         if (judged.fault) {
             words.verdict = *judged.fault == FrameFault::NotClassicData ? kindText(frame)
                                                                         : describe(*judged.fault);
-            if (meansStop(frame)) words.verdict += "; a robot stops all the same";
+            if (meansStop(frame)) words.verdict += "; a robot still stops";
             return words;
         }
         words.verdict = verdictOf(judged);

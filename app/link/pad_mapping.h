@@ -14,8 +14,8 @@
 
 namespace terratact {
 
-/// What the operator does with a gamepad. DeadMan, Approve and FeelForward act while they are held, Drive by the way of
-/// its stick, the others when they are pressed.
+/// What the operator does with a gamepad. DeadMan, Approve and FeelForward act while they are held,
+/// and Drive by the way of its stick. The others act when they are pressed.
 enum class PadAction : std::uint8_t {
     Stop,
     SecondStop,  ///< another button of STOP
@@ -68,8 +68,9 @@ public:
     /// Returns the action of a control; empty: none.
     std::optional<PadAction> actionOf(const PadControl& control) const;
 
-    /// Gives a control to an action and takes it from any other. Does nothing and returns false for a control that does
-    /// not suit the action, and for a button of STOP, which no other action may take.
+    /// Gives a control to an action and takes it from any other. Does nothing and returns false for
+    /// a control that does not suit the action. The same holds for a button of STOP, which no other
+    /// action may take.
     bool assign(PadAction action, const PadControl& control);
 
     /// Returns "stop:rightshoulder second-stop:back …"; an action without a control is left out.

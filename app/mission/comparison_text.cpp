@@ -50,7 +50,7 @@ QString ComparisonWords::sentence(const ModelComparison& c)
                             ? (c.after.near.mean - c.before.near.mean) / c.before.near.mean
                             : 0.0;
     const QString scenes = QString::number(c.scenes);
-    const QString errs =
+    const QString meanError =
         std::abs(change) < kAlike
             ? tr("Near the robot the new model has the same mean error as the old one on %1 scenes")
                   .arg(scenes)
@@ -60,7 +60,8 @@ QString ComparisonWords::sentence(const ModelComparison& c)
             : tr("Near the robot the new model's mean error is %1 % larger on %2 scenes")
                   .arg(format::percent(change), scenes);
     return tr("%1; its 80 % bands there cover %2 % of the true heights, the old model's %3 %.")
-        .arg(errs, format::percent(c.after.near.coverage), format::percent(c.before.near.coverage));
+        .arg(meanError, format::percent(c.after.near.coverage),
+             format::percent(c.before.near.coverage));
 }
 
 QString ComparisonWords::caution(const ModelComparison& c)

@@ -17,7 +17,7 @@ public:
     };
     static QList<Row> rows(const ModelComparison& comparison);
 
-    /// Returns "The new model errs 12 % less near the robot on 300 scenes …".
+    /// Returns "Near the robot the new model's mean error is 12 % smaller on 300 scenes …".
     static QString sentence(const ModelComparison& comparison);
 
     /// Returns what weakens the result; empty: nothing.

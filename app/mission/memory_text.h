@@ -19,7 +19,7 @@ Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& 
 /// Returns the same for an estimate that is there: it cannot use its memory without a current or a force.
 Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory);
 
-/// Returns the text with how often ground was touched again, and how often that was within the 80 % band said before.
+/// Returns the text with how often ground was touched again, and within the 80 % band said before.
 /// Nothing is added before the first such touch.
 Message withLedger(const Message& words, const StripLedger& ledger);
 

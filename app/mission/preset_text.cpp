@@ -30,7 +30,7 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
                    const Show& show)
 {
     QStringList lines;
-    // The trade-off measures single scenes. Trail takes as long there, and errs no more.
+    // The trade-off measures single scenes. Trail takes as long there, and its errors are no larger.
     if (method == Method::Trail) method = Method::Local;
     for (const QualityPreset preset : kQualityPresets) {
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& c) {

@@ -17,8 +17,9 @@ struct SceneMemory {
     Message why{};                          ///< reason that there is nothing
 };
 
-/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It begins anew after a break of the way, while a
-/// sensor that carries it is suspected, and when the operator clears the ground.
+/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It begins anew after a
+/// break of the way, and when the operator clears the ground. It also does so while a sensor that
+/// carries it is suspected.
 class WayMemory {
 public:
     explicit WayMemory(const RobotModel& robot) : record_(robot) {}

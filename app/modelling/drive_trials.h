@@ -33,9 +33,9 @@ struct DriveFindings {
     std::vector<DriveScores> whole, begin;  ///< by method, of both kinds of scenes
 };
 
-/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method, with the memory of its
-/// drive, and compares it with the truth. On all processors. notice: receives sentences about the file. Errors name the
-/// file and the line.
+/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method. Each
+/// has the memory of its drive. Compares the estimates with the truth. On all processors. notice:
+/// receives sentences about the file. Errors name the file and the line.
 Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBundle& bundle,
                                      const std::vector<Method>& methods, const Settings& settings,
                                      const std::function<void(const Message&)>& notice);

@@ -54,11 +54,11 @@ struct FeelForwardCounts {
     double metresPerMinute() const;  ///< pace of the loops; 0 without one
 };
 
-/// Drives once. The loop runs on the state machine of the console (core/atem/atem_machine.h) and on a simulated robot
-/// that obeys Press and Advance, in steps of 0.04 s. Where the loop asks, the operator lets go. The ground's truth then
-/// decides: the robot is driven on by 0.1 m by hand if the way is free, and the operator holds again. No probe is made.
-/// The drive ends before a true step, at the end of the ground, with a fault, and with a fall or a collision.
-/// seed: of ground, noise and slip.
+/// Drives once. The loop runs on the state machine of the console (core/atem/atem_machine.h), in steps of 0.04 s. The
+/// simulated robot obeys Press and Advance. Where the loop asks, the operator lets go. The ground's truth then decides:
+/// the robot is driven on by 0.1 m by hand if the way is free, and the operator holds again. No probe is made. The
+/// drive ends before a true step, at the end of the ground, with a fault, a fall or a collision. seed: of ground, noise
+/// and slip.
 FeelForwardCounts feelForwardOnce(const EstimatorBundle& bundle, const FeelForwardTrial& trial,
                                   const FeelForwardDrive& drive, std::uint64_t seed);
 

@@ -32,8 +32,9 @@ FloorParameters parametersOf(const RobotModel& robot);
 /// Returns the robot with the lengths of these parameters.
 RobotModel withParameters(RobotModel robot, const FloorParameters& parameters);
 
-/// How a robot rests on a flat, level floor at given flipper angles. It stands on the two circles, of wheels, pivots
-/// and tips, whose common lower tangent all others lie above, and between which its centre of mass is.
+/// How a robot rests on a flat, level floor at given flipper angles. It stands on two circles, of
+/// wheels, pivots and tips. All others lie above their common lower tangent, and its centre of mass
+/// is between them.
 struct FloorRest {
     double pitch = 0.0;               ///< [rad] nose up
     std::array<double, 2> support{};  ///< [m] rear and front contact, along the floor

@@ -6,8 +6,8 @@
 
 namespace terratact {
 
-/// Returns lines for the terminal: points, scenes with and without heights and why, offset and tilt between cloud and
-/// robot, and errors against heights that the file held before.
+/// Returns lines for the terminal: points, scenes with and without heights and why, and offset and
+/// tilt between cloud and robot. Errors are against heights that the file held before.
 std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& options);
 
 /// Returns a CSV with a row for each bin of a scene with a pose:

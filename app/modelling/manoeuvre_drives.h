@@ -34,10 +34,11 @@ struct ManoeuvreLine {
     std::vector<ArmReading> arm{};
 };
 
-/// Drives the simulated robot with two tracks from before the hazard until it has passed it, or has no rest pose any more.
-/// The hazard lies across the way, or beside it beyond an edge that a turned robot reaches with a flipper and a straight
-/// one does not. The ground is known everywhere: at each pose, the lines under tracks and flippers are cut from it along
-/// the heading.
+/// Drives the simulated robot with two tracks from before the hazard. It ends when the robot has
+/// passed, or has no rest pose any more. The hazard lies across the way, or beside it beyond an
+/// edge. A turned robot reaches that one with a flipper; a straight one does not. The ground is
+/// known everywhere: at each pose, the lines under tracks and flippers are cut from it along the
+/// heading.
 ///   travelled   as driveWay(), with a slip of 10 %; it decreases while the robot reverses
 ///   turned      with 2 % and 0.002 rad of error per turn
 ///   arm         height at the bin's centre with a noise of 0.01 m; its sd is ArmReading's

@@ -20,9 +20,10 @@ struct ManoeuvreLineCounts {
     std::size_t cut = 0;  ///< scenes before which nothing is remembered
 };
 
-/// Drives each manoeuvre over all grounds and hazards, trial.drives times (driveManoeuvre()), and judges every scene by
-/// Trail with its memory, and by Local, which uses the scene alone. Where the arm probed, the scene is judged again with
-/// the readings. Of trial.rates, the last one is used. Throws RefusedInput if the model has no two tracks.
+/// Drives each manoeuvre over all grounds and hazards, trial.drives times (driveManoeuvre()). Judges every
+/// scene by Trail with its memory, and by Local, which uses the scene alone. Where the arm probed, the
+/// scene is judged again with the readings. Of trial.rates, the last one is used. Throws RefusedInput if
+/// the model has no two tracks.
 std::vector<ManoeuvreLineCounts> tryManoeuvres(const EstimatorBundle& bundle,
                                                const HazardTrial& trial);
 

@@ -23,11 +23,11 @@ struct TrainingPlan {
     std::vector<std::string> moreData{};  ///< more of them, behind the first
     std::string tracks{};  ///< CSV of scenes of two tracks; empty: the model learns one plane only
     std::vector<std::string> moreTracks{};  ///< more of them, behind the first
-    /// Generated scenes of two tracks, mixed to the real ones of `tracks` with the weight that errs least on held-out
-    /// real scenes (scene_mixing.h).
+    /// Generated scenes of two tracks, mixed to the real ones of `tracks`. Their weight has the
+    /// smallest error on held-out real scenes (scene_mixing.h).
     std::vector<std::string> generated{};
-    /// Model whose part of one plane is kept, every bit of it; the new one learns `tracks` alone, and
-    /// `data` is not read. Empty: `data` trains that part.
+    /// Model whose part of one plane is kept, every bit of it. The new one learns `tracks` alone,
+    /// and `data` is not read. Empty: `data` trains that part.
     std::string plane{};
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;

@@ -32,12 +32,12 @@ struct HeldOutFolds {
 HeldOutFolds heldOutFolds(const std::vector<TwoTrackScene>& real,
                           const std::vector<std::size_t>& filesBegin);
 
-/// Returns the |errors| [m] of a model on the scenes `judged` that was trained on `learnt`; empty if they are too few to
-/// train one.
+/// Returns the |errors| [m] on the scenes `judged` of a model trained on `learnt`. Empty if they
+/// are too few to train one.
 using MixJudge = std::function<std::vector<double>(const std::vector<TwoTrackScene>& learnt,
                                                    const std::vector<TwoTrackScene>& judged)>;
 
-/// Returns the weight with the smallest mean |error| over all folds, each judged by a model that did not learn it. Of
+/// Returns the weight with the smallest mean |error| over all folds. A model that did not learn a fold judges it. Of
 /// equal errors the larger weight counts. A weight that cannot be trained for a fold is not tried. An error states that
 /// none can.
 Result<CardMix> chooseMix(const std::vector<TwoTrackScene>& real, const HeldOutFolds& folds,

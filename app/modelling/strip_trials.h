@@ -63,10 +63,10 @@ struct StripFindings {
     std::array<std::size_t, kScoredBy.size()> inTruth{};
 };
 
-/// Drives the simulated robot with telemetry over each ground (core/sim/watched_drive.h) and enters the estimates of
-/// its scenes into strips, one for each rule of fusion. After each scene, every bin of the section is compared with the
-/// true ground as seen from the true pose. The scenes' own estimates are the first result. The method Trail gets the
-/// memory of the way.
+/// Drives the simulated robot with telemetry over each ground (core/sim/watched_drive.h). Enters the estimates of
+/// its scenes into strips, one for each rule of fusion. After each scene, every bin of the section is compared with
+/// the true ground as seen from the true pose. The scenes' own estimates are the first result. The method Trail gets
+/// the memory of the way.
 StripFindings tryStrips(const EstimatorBundle& bundle, const StripTrial& trial);
 
 /// Returns a table for the terminal [mm].

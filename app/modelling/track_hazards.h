@@ -16,8 +16,9 @@ struct TrackHazardLine {
     std::string ground;  ///< name of kHazardGrounds
     std::string hazard;  ///< "none", or name of the hazard, with ", one side" or ", both sides"
     PressStyle style = PressStyle::Random;
-    /// The robot's answer (TwoTrackVerdict::both). A step counts on either side; CLEAR is false if a side has a true
-    /// step before its own horizon; ground is flat if both sides are flat. Bands are those of both sides.
+    /// The robot's answer (TwoTrackVerdict::both). A step counts on either side. CLEAR is false if
+    /// a side has a true step before its own horizon. Ground is flat if both sides are flat. Bands
+    /// are those of both sides.
     VerdictCounts robot;
     VerdictCounts sides;  ///< both sides' own answers, each by its own ground: two a scene
 };
@@ -26,8 +27,9 @@ struct TrackHazardLine {
 void countScene(const TwoTrackScene& scene, const RobotModel& robot,
                 const TwoTrackEstimate& estimate, double stepLimit, TrackHazardLine& line);
 
-/// Drives the simulated robot with two tracks as tryHazards() does, with hazards on one side and on both, and estimates
-/// and judges both sides. Of trial.rates, the last one is used. Throws RefusedInput if the model has no two tracks.
+/// Drives the simulated robot with two tracks as tryHazards() does, with hazards on one side and on
+/// both. Estimates and judges both sides. Of trial.rates, the last one is used. Throws RefusedInput
+/// if the model has no two tracks.
 std::vector<TrackHazardLine> tryTrackHazards(const EstimatorBundle& bundle,
                                              const HazardTrial& trial);
 

@@ -16,9 +16,10 @@ class SqliteFile;
 inline constexpr std::int64_t kTruthApplicationId = 0x54545431;  ///< "TTT1", of the SQLite header
 inline constexpr std::size_t kMaxTruthScenes = 20'000;
 
-/// Writes a truth file (SQLite, docs/truth.md): the robot, every scene with its heights and why heights are missing, and
-/// its slice of the cloud to 1 mm. robotFile: read again. The file is written under a temporary name and renamed.
-/// Errors name the file: too many scenes, or what SQLite and file_write.h refuse.
+/// Writes a truth file (SQLite, docs/truth.md): the robot, and every scene with its heights. It
+/// also holds why heights are missing, and each scene's slice of the cloud to 1 mm. robotFile: read
+/// again. The file is written under a temporary name and renamed. Errors name the file: too many
+/// scenes, or what SQLite and file_write.h refuse.
 Status writeTruthFile(const std::string& path, const LaserTruth& truth,
                       const std::string& robotFile);
 

@@ -78,8 +78,8 @@ TrackFindings evaluateTracks(const std::vector<TwoTrackScene>& scenes,
                              const EstimatorBundle& bundle, const EvaluateOptions& options,
                              Method method);
 
-/// Returns |height − truth| [m] of both sides, bins −0.3 … 0.5 m of all scenes that can be estimated, by
-/// TrackApproach::Always and settings.method, on all cores.
+/// Returns |height − truth| [m] of both sides, bins −0.3 … 0.5 m of all scenes that can be
+/// estimated. Uses TrackApproach::Always and settings.method, on all cores.
 std::vector<double> sideErrors(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot,
                                const Models& models, const Settings& settings);
 

@@ -17,9 +17,10 @@
 
 namespace terratact {
 
-/// The plotted signals of a session. A thread with its own reader reads the whole file once for newly chosen signals
-/// and keeps them in kBuckets each. A span that needs more is read again, that span only. Until then, view() shows
-/// the buckets. It follows a session that still grows. Nothing is read before the first choose().
+/// The plotted signals of a session. A thread with its own reader reads the whole file once for
+/// newly chosen signals. It keeps them in kBuckets each. A span that needs more is read again, that
+/// span only. Until then, view() shows the buckets. It follows a session that still grows. Nothing
+/// is read before the first choose().
 class SessionSignals final : public PlotSource {
 public:
     static constexpr std::size_t kBuckets = 65'536;  ///< of the whole session: 4 MB for each signal

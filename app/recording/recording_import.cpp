@@ -139,18 +139,19 @@ private:
                             mapping_.maxGap));
         if (Status begun = begin(lines.front().time); !begun) return begun;
         if (!mapping_.of(Quantity::Activity))
-            if (Status told = add(event(
+            if (Status added = add(event(
                     EventKind::Marker, "",
                     TR_NOOP("core", "the recording does not say what the robot did: pressing, "
                                     "driving and halting follow from its movement and currents")));
-                !told)
-                return told;
+                !added)
+                return added;
         const std::vector<std::size_t> presses = standingPresses(lines, pressRule());
         auto press = presses.begin();
         auto step = series->clockSteps.begin();
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (; step != series->clockSteps.end() && step->time <= lines[i].time; ++step)
-                if (Status told = addClockStep(*step, lines[i].time - begin_); !told) return told;
+                if (Status added = addClockStep(*step, lines[i].time - begin_); !added)
+                    return added;
             const bool isScene = press != presses.end() && *press == i;
             press += isScene ? 1 : 0;
             if (options_.watch) options_.watch(i, false);
@@ -235,8 +236,8 @@ private:
                 if (Status begun = begin(frame.time); !begun) return begun;
             last_ = std::max(last_, frame.time - begin_);
             for (; steps < frames.clockSteps().size(); ++steps)
-                if (Status told = addClockStep(frames.clockSteps()[steps], last_); !told)
-                    return told;
+                if (Status added = addClockStep(frames.clockSteps()[steps], last_); !added)
+                    return added;
             if (Status added = addFrame(frame.frame, frame.sent); !added) return added;
             if (frame.sent) continue;
             const auto measured = listener_.receive(frame.frame, secondsOf(last_));

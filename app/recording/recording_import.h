@@ -17,8 +17,8 @@ struct RecordingImport {
     std::string out;      ///< session to write; must not exist
     /// Text of a mapping, which errors call `mapping`; empty: the file is read.
     std::string mappingText{};
-    /// Called with each message that is read and each line that is written; an exception ends the import, and no session is
-    /// left.
+    /// Called with each message that is read and each line that is written. An exception ends the
+    /// import, and no session is left.
     RecordingWatch watch{};
 };
 
@@ -33,8 +33,8 @@ struct ImportedSession {
     std::vector<std::string> remarks{};
 };
 
-/// Writes a session (docs/sessions.md) from a recording. Its telemetry becomes the frames that a robot
-/// would have sent for each line, or the recorded frames themselves if the mapping names them. Lines at
+/// Writes a session (docs/sessions.md) from a recording. Its telemetry becomes the frames that a
+/// robot would have sent for each line. If the mapping names recorded frames, it uses these. Lines at
 /// which the robot stood still with flippers pressed (core/mapping/standing_presses.h) become scenes.
 /// Errors name the file, the place and what to do; then no session is left.
 Result<ImportedSession> importRecording(const RecordingImport& options);

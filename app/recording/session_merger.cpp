@@ -135,9 +135,9 @@ Status SessionMerger::add(ProposalRow row)
 
 Status SessionMerger::add(EventRow row)
 {
-    const Told told{row.time + shift_, row.kind, row.subject, row.text};
-    if (eventsBefore_.contains(told)) return Done{};
-    events_.insert(told);
+    const EventKey key{row.time + shift_, row.kind, row.subject, row.text};
+    if (eventsBefore_.contains(key)) return Done{};
+    events_.insert(key);
     for (const bool estimates : {true, false}) {
         if (Status there = refer(row, estimates); !there) {
             if (!dangles_ || dangling_ == Dangling::Refused) return there;

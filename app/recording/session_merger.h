@@ -42,7 +42,7 @@ private:
         std::size_t modelsRead = 0, scenesRead = 0, estimatesRead = 0, proposalsRead = 0,
                     eventsRead = 0;
     };
-    using Told = std::tuple<SessionTime, EventKind, std::string, std::string>;
+    using EventKey = std::tuple<SessionTime, EventKind, std::string, std::string>;
 
     Status addRowsUntil(SessionTime time);
     template <class Rows>
@@ -68,7 +68,7 @@ private:
     SessionReader* session_ = nullptr;
     SessionTime shift_ = 0;
     Ids ids_;
-    std::set<Told> events_, eventsBefore_;  ///< events of this session, and of earlier sessions
+    std::set<EventKey> events_, eventsBefore_;  ///< events of this session, and of earlier sessions
     std::vector<ModelRow> models_;
     std::vector<SceneRow> scenes_;
     std::vector<EstimateRow> estimates_;  ///< without draws

@@ -21,8 +21,9 @@ namespace terratact {
 /// section.
 std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
-/// Returns how well the strip's 80 % bands held when their ground was touched again (Strip::ledger()), such as
-/// "80 % bands held at later contacts: 41 of 50, passes: 9 of 10". Empty: nothing was touched again.
+/// Returns how well the strip's 80 % bands held at later touches of their ground (Strip::ledger()),
+/// such as "80 % bands held at later contacts: 41 of 50, passes: 9 of 10". Empty: nothing was
+/// touched again.
 std::string ledgerText(const StripLedger& ledger);
 
 /// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]

@@ -7,7 +7,7 @@ namespace terratact {
 /// Removes a session that this program began to write and could not finish, with its journal.
 void removeUnfinishedSession(const std::string& path);
 
-/// Notes a session that is about to be made of other files, so that a signal removes it with its
+/// Notes a session that is about to be made of other files. A signal then removes it with its
 /// journal. Does nothing where a file has that name already.
 class SessionInProgress {
 public:

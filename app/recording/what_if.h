@@ -23,12 +23,12 @@ Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string
 /// Returns a recorded estimate with its draws. Errors name the session's file.
 Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
-/// Recomputes the estimate of the row's scene by estimateMeasured(), like the console, with its probe readings, in their
-/// order, and the session's robot. models:
-/// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled. With
-/// the row's own model and settings the result is bit-identical to the recording. This needs the same version and
-/// vector instructions, one BLAS thread, and a sampling that time did not end (Ending::Time). Otherwise Match::LastBits
-/// may result.
+/// Recomputes the estimate of the row's scene by estimateMeasured(), like the console. It uses the
+/// session's robot and the scene's probe readings in their order. models: for that robot. Errors name the
+/// session's file; settings above requireModest() are errors. Throws Cancelled. With the row's own model
+/// and settings the result is bit-identical to the recording. This needs the same version and vector
+/// instructions, one BLAS thread, and a sampling that time did not end (Ending::Time). Otherwise
+/// Match::LastBits may result.
 Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                        const Models& models, const Settings& settings,
                                        const Watch& watch = {});

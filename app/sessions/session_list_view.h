@@ -7,8 +7,9 @@ namespace terratact {
 
 class SearchedSessions;
 
-/// The table of recordings: a thumbnail of the last estimate in the first column, a row for each file. Columns sort by
-/// a click on their heading, or by their number with Alt (Alt+1 … Alt+9, Alt+0): again for the other order.
+/// The table of recordings: a thumbnail of the last estimate in the first column, a row for each
+/// file. Columns sort by a click on their heading, or by their number with Alt (Alt+1 … Alt+9,
+/// Alt+0). A second time gives the other order.
 class SessionListView final : public QTableView {
     Q_OBJECT
 public:

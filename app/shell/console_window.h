@@ -46,8 +46,8 @@ public:
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
     void putBelowHeader(QWidget& other) const;
     QSize roomBelowHeader() const;  ///< [px] for such a window, without its desktop frame
-    /// Shows a widget below all pages as long as the window has height to spare, so that no page gets smaller than it
-    /// needs; null: nothing. Its former parent gives it away.
+    /// Shows a widget below all pages while the window has height to spare. No page gets smaller
+    /// than it needs; null: nothing. Its former parent gives it away.
     void setDock(QWidget* docked);
     bool isDockShown() const { return dock_ && dock_->isVisible(); }
     int pagesHeight() const;  ///< [px] of the window without the dock

@@ -31,8 +31,9 @@ struct SettingsFile {
 /// Returns the content of a file of settings. The window's place is left out, and what the scope excludes.
 std::string settingsText(const Preferences& preferences, SettingsScope scope);
 
-/// Reads the content of a file. Errors name file, line and what was expected: it is no file of settings, has a newer
-/// version, an unknown or doubled key, no value of that key, another unit, or names a file that this computer lacks.
+/// Reads the content of a file. Errors name file, line and what was expected. Causes: it is no file of
+/// settings, has a newer version, or has an unknown or doubled key. Others: a key has no value or
+/// another unit, or names a file that this computer lacks.
 Result<SettingsFile> readSettings(const std::string& content, const std::string& path);
 /// Reads a file of at most 1 MiB.
 Result<SettingsFile> readSettingsFile(const std::string& path);

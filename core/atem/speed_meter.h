@@ -20,8 +20,8 @@ public:
     /// [s] a line that follows sooner is ignored: at most 31 lines are kept.
     static constexpr double kSpacing = 0.01;
 
-    /// Reads the next line of telemetry. A line without odometry, a jump of the clock or of the
-    /// odometry, or a silence longer than kMaxSilence begins anew.
+    /// Reads the next line of telemetry. A line without odometry, or a jump of the clock or
+    /// odometry, begins anew. So does a silence longer than kMaxSilence.
     void add(const Measurement& line)
     {
         if (!line.travelled || !std::isfinite(*line.travelled)) return lines_.clear();

@@ -29,8 +29,8 @@ struct RecordedMessage {
 /// reading, as cancellation does.
 using RecordingWatch = std::function<void(std::uint64_t place, bool isByte)>;
 
-/// Topics of timed messages in a file of another program. Nothing in the file is trusted. A file that is
-/// cut or lacks its index is read as far as it goes, and remarks say where it ends.
+/// Topics of timed messages in a file of another program. Nothing in the file is trusted. A file
+/// that is cut or lacks its index is read as far as it goes. Remarks say where it ends.
 ///
 ///     for (RecordedMessage message;;) {
 ///         const Result<bool> more = recording->next(message);

@@ -38,9 +38,10 @@ struct CloudAlignment {
     CloudCorrection at(double heading) const;
 };
 
-/// Estimates the alignment over all scenes. The tilt is the robot's (an IMU or a sensor is mounted askew) or the
-/// map's, whichever leaves the smaller residuals. Empty if no scene has a contact. Points higher above the robot's
-/// lower boundary than 0.1 m count as its own; 0.5 m if fewer than half of the scenes have a contact then.
+/// Estimates the alignment over all scenes. The tilt is the robot's (an IMU or a sensor is mounted askew)
+/// or the map's. The one with smaller residuals counts. Empty if no scene has a contact. Points higher
+/// above the robot's lower boundary than 0.1 m count as its own. It is 0.5 m if fewer than half of the
+/// scenes have a contact then.
 std::optional<CloudAlignment> alignmentOf(const SceneGrid& grid, const RobotModel& robot,
                                           const TruthRule& rule);
 

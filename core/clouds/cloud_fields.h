@@ -12,8 +12,8 @@ namespace terratact {
 void splitCloudFields(std::string_view line, std::vector<std::string_view>& fields);
 inline constexpr std::size_t kMaxCloudFields = 4096;
 
-/// Returns the number that a field spells, also with a decimal comma; NaN for an empty field, "nan" and other words for a missing
-/// value. Empty if it spells none.
+/// Returns the number that a field spells, also with a decimal comma. NaN for an empty field, "nan"
+/// and other words for a missing value. Empty if it spells none.
 std::optional<double> cloudCoordinate(std::string_view field);
 
 }  // namespace terratact

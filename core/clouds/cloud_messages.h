@@ -30,9 +30,10 @@ struct CloudMessages {
     std::vector<std::string> remarks{};
 };
 
-/// Reads the clouds of a topic in a recording, one message at a time. Calls `add` with the message, whose stamp is the
-/// recorder's time if it was 0; it returns false to end the reading. Errors name the file, the topic and the
-/// message: there is no such topic, its type is not PointCloud2, or a message cannot be decoded.
+/// Reads the clouds of a topic in a recording, one message at a time. Calls `add` with the message,
+/// whose stamp is the recorder's time if it was 0. It returns false to end the reading. Errors name
+/// the file, the topic and the message: there is no such topic, its type is not PointCloud2, or a
+/// message cannot be decoded.
 Result<CloudMessages> readCloudMessages(const std::string& path, const std::string& topic,
                                         const std::function<bool(const CloudMessage& cloud)>& add);
 

@@ -33,9 +33,12 @@ struct CellGround {
     double sd = 0.0;      ///< [m] of the height, from spread and number of points
 };
 
-/// Returns the ground in the cells of a line. Points higher than ownMargin above SceneGrid::ceiling() are the robot's
-/// own and left out; of a noisy cloud the margin is three times the usual spread in a cell, at most 6 cm. Of points that lie on two levels, with a gap of at least 0.35 m, the lower level counts if it has a tenth
-/// of them: the robot drives under the other one. A near cell without the lower level is unknown. The height is the percentile of the rest; its sd is
+/// Returns the ground in the cells of a line. Points higher than ownMargin above
+/// SceneGrid::ceiling() are the robot's own and left out. In a noisy cloud the margin is three
+/// times the usual spread in a cell, at most 6 cm. Points may lie on two levels, with a gap of at
+/// least 0.35 m. The lower level counts if it has a tenth of them: the robot drives under the other
+/// one. A near cell without the lower level is unknown. The height is the percentile of the rest;
+/// its sd is
 ///   s √(p (1 − p)) / φ(Φ⁻¹(p)) / √n
 /// with the sample's sd s, which of cells with fewer than four points is the line's median.
 std::vector<CellGround> groundOf(const SceneGrid& grid, const RobotModel& robot, std::size_t place,
@@ -52,8 +55,8 @@ struct BinTruth {
 using SideTruth = std::array<BinTruth, kBins>;
 
 /// Returns the heights of one side: bins −0.3 … 0.2 m on the track's line, from 0.3 m on that of the flippers. A bin
-/// is known if at least three of its cells are, and its sd is at most maxSd. Cells without points have the
-/// height between their neighbours, and half of these neighbours' difference as sd d; 5 cm where a neighbour is more
+/// is known if at least three of its cells are, and its sd is at most maxSd. Cells without points have the height
+/// between their neighbours. Their sd d is half of these neighbours' difference, or 5 cm where a neighbour is more
 /// than a bin away. The sd's square is
 ///   placeSd² + (Σ sd_cell² + (Σ d)²) / 25
 SideTruth sideTruth(const SceneGrid& grid, const RobotModel& robot, std::size_t place, Side side,

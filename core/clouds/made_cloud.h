@@ -26,14 +26,15 @@ struct MadeCloud {
 /// edges lie at ±Y cos φ from the drive's line.
 CloudPose basePose(const RobotModel& robot, const TwoTrackPose& pose);
 
-/// Returns points of the ground under a drive over it from x = begin to end [m], 0.4 m to both sides, in the cloud's
-/// frame. `drive`: pose of the drive's frame. Between the outer edge of a track and the flippers the line under the
-/// part counts. Throws std::invalid_argument unless begin < end, and for more than 1e8 points.
+/// Returns points of the ground under a drive from x = begin to end [m], in the cloud's frame. They
+/// reach 0.4 m to both sides. `drive`: pose of the drive's frame. Between the outer edge of a track
+/// and the flippers the line under the part counts. Throws std::invalid_argument unless begin <
+/// end, and for more than 1e8 points.
 std::vector<CloudPoint> groundCloud(const RobotModel& robot, const GroundLines& ground,
                                     const CloudPose& drive, double begin, double end,
                                     const MadeCloud& made, std::mt19937_64& rng);
 
-/// Returns points of the robot's tracks and flippers above their lower edges by 5 to 15 cm, in the cloud's frame.
+/// Returns points of the robot's tracks and flippers, 5 to 15 cm above their lower edges, in the cloud's frame.
 std::vector<CloudPoint> robotCloud(const RobotModel& robot, const CloudPose& base,
                                    std::size_t count, std::mt19937_64& rng);
 

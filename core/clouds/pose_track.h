@@ -63,8 +63,9 @@ using PoseTracks = std::map<std::string, PoseTrack>;
 /// m.
 Result<PoseTracks> readPoses(const std::string& path, const PoseLimits& limits);
 
-/// Reads the poses of the topic that the mapping names under [odometry], or those of its base_frame in its frame from
-/// transforms. Times are those of the recorder, or of header.stamp if the mapping says so [s]. Errors are as above.
+/// Reads the poses of the topic that the mapping names under [odometry]. From transforms, it reads
+/// the poses of base_frame in its frame. Times are those of the recorder, or of header.stamp if the
+/// mapping says so [s]. Errors are as above.
 Result<PoseTracks> readPoses(Recording& recording, const Mapping& mapping,
                              const PoseLimits& limits);
 

@@ -17,9 +17,9 @@ inline constexpr std::size_t kCellsOfBin = 5;
 /// Heights of the DEM frame in which points are kept [m]: the ground, not what hangs above the robot.
 inline constexpr double kLowestTruth = -1.5, kHighestTruth = 0.8;
 
-/// Cells under the lines of every scene, which collect the heights of a cloud's points. Each cell keeps a sample of
-/// its heights, every point with the same probability, so that memory does not grow with the cloud. The same
-/// points in the same order give the same sample.
+/// Cells under the lines of every scene, which collect the heights of a cloud's points. Each cell
+/// keeps a sample of its heights, every point with the same probability. So memory does not grow
+/// with the cloud. The same points in the same order give the same sample.
 class SceneGrid {
 public:
     static constexpr std::size_t kMaxSamples = 48'000'000;  ///< of all cells: 192 MB

@@ -43,8 +43,9 @@ struct ScenePlace {
 ScenePlace placeOf(const RobotModel& robot, std::size_t row, const TwoTrackReadings& s,
                    const CloudPose& base);
 
-/// Returns y of the middle of a line's strip in the DEM frame [m]: where the part's lower edge lies on a rolled
-/// robot. It is ±Y cos φ + d sin φ; d: the IMU's height above the tracks' lower edge.
+/// Returns y of the middle of a line's strip in the DEM frame [m]. It is where the part's lower
+/// edge lies on a rolled robot. It is ±Y cos φ + d sin φ; d: the IMU's height above the tracks'
+/// lower edge.
 double lineY(const RobotModel& robot, TruthLine line, double roll);
 
 /// Returns half of the strip's width [m]: that of the part, at least 2 cm.

@@ -11,12 +11,12 @@
 
 namespace terratact {
 
-/// Reconstructs one scene as in the paper (sections 4.2 and 4.3): contacts and arm readings are
+/// Reconstructs one scene as in the paper (sections 4.2 and 4.3). Contacts and arm readings are
 /// fixed, the other bins are sampled. models: of the feature set that settings.method uses, or of
 /// Pa, which needs no current and no force. The same scene, models and settings give the same
 /// result, bit for bit on one machine. Throws std::invalid_argument for a method that is not one of
 /// the paper's four, and for settings out of range. It also throws for models of the other feature
-/// set, a missing feature in s, and an estimate that is not finite. Throws Cancelled.
+/// set, a missing feature, and an estimate that is not finite. Throws Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});

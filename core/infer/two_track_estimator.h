@@ -6,8 +6,8 @@
 namespace terratact {
 
 /// Estimates both sides of one scene by settings.method, Joint or Local. A scene that is symmetric
-/// within its sensors' noise (isSymmetric) is estimated as one plane, from the means of both sides.
-/// That is not so if the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise
+/// within its sensors' noise (isSymmetric) is estimated as one plane, from both sides' means. That
+/// is not so if the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise
 /// models.sides estimates it. Any current or force may be missing, of one side or both. The
 /// processes are then trained without it (reduced_clearances.h), and the bands widen. Throws
 /// RefusedInput if the model has no two-track part and the scene needs it. It refuses a
@@ -21,8 +21,8 @@ TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& ar
 /// Sessions of versions 1 to 3, files of scenes and some sources have means only.
 bool hasSides(const Measurement& line);
 
-/// Returns true if estimateMeasured() may estimate both sides of such a line by this method, with a
-/// model of two tracks. That takes hasSides(), a method Joint, Local or Clearance, and a differential
+/// Returns true if this method may estimate both sides of such a line by estimateMeasured(), with a
+/// two-track model. That takes hasSides(), a method Joint, Local or Clearance, and a differential
 /// that has not turned. Clearance estimates each side for itself (each_side.h). The paper's four gain
 /// little by that (docs/two_tracks.md), and stay with one plane.
 bool allowsBothSides(const Measurement& line, Method method);

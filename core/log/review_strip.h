@@ -8,9 +8,10 @@
 
 namespace terratact {
 
-/// The strip of felt ground at a moment of a session, as the console showed it, computed from the file alone
-/// (core/log/session_strip.h). It begins kShortest to kShortest + kStep before the moment. The same moment gives the same
-/// strip, whatever was asked before. Moving forward or a little back in time is fast.
+/// The strip of felt ground at a moment of a session, as the console showed it. It comes from the
+/// file alone (core/log/session_strip.h). It begins kShortest to kShortest + kStep before the
+/// moment. The same moment gives the same strip, whatever was asked before. Moving forward or a
+/// little back in time is fast.
 class ReviewStrip {
 public:
     static constexpr double kShortest = 600.0, kStep = 300.0;  ///< [s]

@@ -72,7 +72,7 @@ struct SessionSummary {
 ///
 /// The file is opened read-only and no file is left beside it, even if it was not closed. Its writer
 /// is not disturbed, also one of this process. A verdict is that of verdictOf() for the recorded
-/// step limit; silences and the sensor alarm between scene and estimate withhold it.
+/// step limit. Silences and the sensor alarm between scene and estimate withhold it.
 ///
 /// Errors name the file: it is no session, has another version, is truncated, or its tables cannot be
 /// read. stop: ends the reading with an Error.

@@ -22,7 +22,7 @@ struct PoseSample {
     bool isMeasured() const { return rotation != Rotation{}; }
 };
 
-/// Returns the rotation of the quaternion at the path; empty if a number is missing, and all 0 if it has no direction.
+/// Returns the rotation of the quaternion at the path. Empty if a number is missing; all 0 if it has no direction.
 std::optional<Rotation> quaternionAt(const FieldValue& message, const std::string& path);
 
 /// Returns the finite position at the path.

@@ -236,7 +236,7 @@ private:
 
     Status checkTopics()
     {
-        std::set<const FieldSource*> told;  // six elements have one source
+        std::set<const FieldSource*> reported;  // six elements have one source
         for (const FieldReader& reader : fields_) {
             if (reader.notFinite > 0)
                 remark(reader,
@@ -254,7 +254,7 @@ private:
             if (reader.found > 0) continue;
             const std::string cause = missing(*reader.source, reader.field, reader.messages);
             if (isNeeded(reader)) return fault(*reader.source, cause);
-            if (!reader.source->isOptional && told.insert(reader.source).second)
+            if (!reader.source->isOptional && reported.insert(reader.source).second)
                 remark(reader, cause + "; it counts as not measured");
         }
         if (mapping_.attitude && attitude_.empty())

@@ -42,13 +42,13 @@ struct RecordedSeries {
     std::map<std::string, double> stampOffsets{};
 };
 
-/// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll,
-/// poses and speed become way and heading: the way is summed along the forward axis. Errors name the
-/// file, the topic, and what to do. A topic or field is missing that the pose needs, or the transforms
-/// lack a frame. The topics' times do not overlap. There are more than kMaxSamples values. At most half of
-/// a topic's messages can be decoded. Values that are not finite, texts instead of numbers, messages
-/// that cannot be decoded, and optional fields that are missing, are left out with a remark. Where the
-/// clock was set, times continue evenly.
+/// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll, poses
+/// and speed become way and heading: the way is summed along the forward axis. Errors name the file, the
+/// topic, and what to do. A topic or field is missing that the pose needs, or the transforms lack a frame.
+/// The topics' times do not overlap. There are more than kMaxSamples values. At most half of a topic's
+/// messages can be decoded. These are left out with a remark: values that are not finite, texts instead of
+/// numbers, messages that cannot be decoded, and missing optional fields. Where the clock was set, times
+/// continue evenly.
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot);
 

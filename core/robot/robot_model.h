@@ -104,9 +104,9 @@ struct RobotModel {
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 
-    /// Returns true if the arm can touch the ground at the bin's centre, on the line of that side
-    /// (sideHeights(), core/terrain/ground_lines.h). Throws std::invalid_argument unless
-    /// 0 ≤ bin ≤ 10. Defined in core/terrain/arm_reach.cpp, because only core/terrain defines the bins.
+    /// Returns true if the arm can touch the ground at the bin's centre on that side's line
+    /// (sideHeights(), core/terrain/ground_lines.h). Throws std::invalid_argument unless 0 ≤ bin ≤ 10.
+    /// Defined in core/terrain/arm_reach.cpp, because only core/terrain defines the bins.
     bool armReaches(int bin, ProbeSide side = ProbeSide::Middle) const;
 };
 

@@ -77,8 +77,8 @@ struct TwoTrackReadings {
 /// sides is known stays empty. proprioception() averages the sides.
 TwoTrackReadings twoTrackReadings(const Measurement& measurement);
 
-/// Returns a line of telemetry with these readings, as twoTrackReadings() reads it; the other values are
-/// those of a new Measurement. The currents of an axle are missing if one of them is.
+/// Returns a line of telemetry with these readings, as twoTrackReadings() reads it. Other values
+/// are those of a new Measurement. The currents of an axle are missing if one of them is.
 Measurement measurementOf(const TwoTrackReadings& readings);
 
 /// Returns the readings with left and right exchanged.

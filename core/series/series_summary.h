@@ -37,8 +37,9 @@ struct ColumnGrid {
     double end() const { return begin + width * static_cast<double>(count); }
 };
 
-/// Returns at most `count` columns that cover from … to, on a grid that does not depend on `from`: while the range
-/// moves, a sample stays in its column. Throws std::invalid_argument unless from < to are finite and count ≥ 2.
+/// Returns at most `count` columns that cover from … to. Their grid does not depend on `from`. So a
+/// sample stays in its column while the range moves. Throws std::invalid_argument unless from < to
+/// are finite and count ≥ 2.
 ColumnGrid columnGrid(double from, double to, std::size_t count);
 
 }  // namespace terratact

@@ -17,8 +17,8 @@ struct SeriesView {
     std::optional<double> atCursor{};     ///< newest value up to the cursor; empty: none
 };
 
-/// Returns the longest pause that a line bridges [s]: five usual intervals of the samples, and at least two and a half
-/// columns of the plot and of the series.
+/// Returns the longest pause that a line bridges [s]. It is five usual intervals of the samples.
+/// It is at least two and a half columns of the plot, and as many of the series.
 inline double bridgedPause(double usualInterval, double column, double bucket)
 {
     return std::max({5.0 * usualInterval, 2.5 * column, 2.5 * bucket});

@@ -11,13 +11,13 @@
 namespace terratact {
 
 /// Rule of the posterior check of both sides, as PosteriorCheckRule of one plane. The tolerances
-/// refuse 0.51 % of 2768 fault-free scenes over generated ground that differs left and right, and 1.30
-/// % of 1998 scenes over real ground. The check finds estimates on which no robot could rest so. It
-/// finds few sensor faults, because the estimate follows the faulty reading. Refused are 4.4 % of the
-/// scenes with a flipped pitch and 2.2 % with a flipped front flipper. With 10° too much roll they are
-/// 1.4 %, and with most other faults no more than without one. `terratact-bench-check 2 250` prints
-/// these numbers, and `terratact-bench-check 2 480 PAIRS.csv` those of real ground, with 1.9 and 2.2
-/// poses for a scene. A pose takes about 0.6 ms.
+/// refuse 0.51 % of 2768 fault-free scenes over generated ground that differs left and right. They
+/// refuse 1.30 % of 1998 scenes over real ground. The check finds estimates on which no robot could
+/// rest so. It finds few sensor faults, because the estimate follows the faulty reading. Refused are
+/// 4.4 % of the scenes with a flipped pitch and 2.2 % with a flipped front flipper. With 10° too much
+/// roll they are 1.4 %, and with most other faults no more than without one. `terratact-bench-check 2
+/// 250` prints these numbers, and `terratact-bench-check 2 480 PAIRS.csv` those of real ground, with
+/// 1.9 and 2.2 poses for a scene. A pose takes about 0.6 ms.
 struct TwoTrackCheckRule {
     int draws = 24;       ///< most joint draws of the estimate, besides its heights
     double pitch = 0.08;  ///< [rad]
@@ -38,10 +38,10 @@ struct TwoTrackCheck {
     bool operator==(const TwoTrackCheck&) const = default;
 };
 
-/// Puts the robot on the heights of both sides, and then on their joint draws one after another,
+/// Puts the robot on the heights of both sides. It then takes their joint draws, one after another,
 /// until the readings agree. Each side's ground is its bins' heights at their centres, joined by
 /// straight lines, under its track and its flippers. Front flippers with a positive current are
-/// pressed by it; other flippers are held at their angles (restPose of two tracks). The search begins
+/// pressed by it. Other flippers are held at their angles (restPose of two tracks). The search begins
 /// at the measured pitch and roll. A draw agrees if every difference is within the rule. The draws are
 /// spread evenly over the estimate's draws: the same estimate gives the same result. s: with a
 /// differential that has not turned. poll: called before every pose. Throws Cancelled.

@@ -28,9 +28,9 @@ public:
     /// Texts and blobs have at most `longest` bytes, and grantBytes() bounds all values together.
     static SqliteFile openLog(const std::string& path, int longest);
 
-    /// Opens a log as openLog(), but leaves no file beside it and disturbs no writer, not even one of
-    /// this process. A file with a journal beside it is opened by SQLite alone: closing any other
-    /// descriptor would release this process's locks on it.
+    /// Opens a log as openLog(), but leaves no file beside it. It disturbs no writer, not even one
+    /// of this process. A file with a journal beside it is opened by SQLite alone: closing any
+    /// other descriptor would release this process's locks on it.
     static SqliteFile openLogWithoutTrace(const std::string& path, int longest);
 
     /// Returns true if the connection reads in WAL mode, with a journal.

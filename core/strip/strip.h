@@ -114,8 +114,8 @@ public:
     ///   Pass     bins on which the tracks stand, with the estimate's height and sd. An estimate by Trail also knows
     ///            earlier readings, so it is a less independent judge.
     std::vector<StripTouch> touchesOf(const TwoTrackEstimate& estimate) const;
-    /// Returns how well bands held when their ground was touched again: the touches of every scene (touchesOf()) by its
-    /// first estimate, and the arm's readings against the band that its scene showed before them.
+    /// Returns how well bands held when their ground was touched again. Touches (touchesOf()) count
+    /// by each scene's first estimate, the arm's readings against the band shown before.
     StripLedger ledger() const { return scores_.all(); }
 
 private:

@@ -31,7 +31,7 @@ struct EnteredBin {
 
 /// Returns the columns between the first and the last bin centre of an estimate at `imu` [m] in the section's frame.
 /// Heights and bands are interpolated linearly between two bins. That is exact where the ground of the two bins is
-/// level. For a step within a bin it errs by up to a quarter of the two bins' difference. Therefore the sd grows by
+/// level. A step within a bin gives an error of up to a quarter of the two bins' difference. Therefore the sd grows by
 /// |difference| · share · (1 − share).
 std::vector<EnteredBin> binsOf(const TerrainEstimate& estimate, const Vec2& imu,
                                std::int64_t source);

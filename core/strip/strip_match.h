@@ -20,8 +20,8 @@ struct PoseOffset {
     PoseCovariance covariance;
 };
 
-/// Returns the error e of odometry since the last scene, from its prior N(0, `prior`) and the ground that both scenes
-/// tell of:
+/// Returns the error e of odometry since the last scene. It comes from its prior N(0, `prior`) and
+/// the ground that both scenes tell of:
 ///   difference = e_z − slope · e_x + error
 /// Errors of neighbouring bins and of successive estimates are correlated. Each bin therefore counts as
 /// 1 / kCorrelatedBins of an independent one. Bins that differ by more than kHuber sd count less (Huber's weights).

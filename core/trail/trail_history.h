@@ -29,8 +29,8 @@ struct TrailGround {
     /// Mean over the bin of the lowest place of the robot that passed above it; +infinity: the robot
     /// did not pass above all of it.
     std::array<double, kTrailBins> lowest{};
-    /// Load of the force elements that pressed near the bin at earlier scenes [N]: each force counts
-    /// by 1 at the bin's centre, falling linearly to 0 at 0.1 m.
+    /// Load of the force elements that pressed near the bin at earlier scenes [N]. Each force
+    /// counts by 1 at the bin's centre, falling linearly to 0 at 0.1 m.
     std::array<double, kTrailBins> load{};
     std::array<double, kTrailBins>
         pressed{};  ///< mean height of these elements by load; 0 without load

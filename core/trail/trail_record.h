@@ -22,18 +22,18 @@ using TrailEnvelope = std::array<double, kEnvelopePoints>;
 /// Record of the last stretch of way: attitude and envelope of the robot every kStep, and the forces
 /// of every scene. Dead reckoning (core/strip/dead_reckoning.h) places them; a break of the way
 /// (core/strip/strip_way.h) empties the record. At most kLength of way, below 1 MB. It has no clock.
-/// The record is that of a way forward. Where the robot drives back, what it learnt at the places that
-/// lie ahead then is dropped, except the arm's readings. The networks know ways forward alone: on one
-/// that turns back, their heights are too low.
+/// The record is that of a way forward. Where the robot drives back, what it learnt at the places
+/// ahead is dropped, except the arm's readings. The networks know ways forward alone: on one that
+/// turns back, their heights are too low.
 class TrailRecord {
 public:
     static constexpr double kLength = 3.0;  ///< [m]
     /// A stretch felt earlier counts as felt while dead reckoning adds at most this sd to its heights
-    /// [m], and while turning has moved it sideways by at most half a flipper's width. Both its ends
-    /// move inwards by one sd of the way since. The arm touched a point: its height is remembered, but
-    /// its bin is not felt by that, because a fall may begin beside the point. Readings of one bin that
-    /// differ by more than kArmContradiction of their sd leave the lower height, and the bin is not
-    /// felt. A robot that does not report its heading remembers nothing felt.
+    /// [m]. Turning must move it sideways by at most half a flipper's width. Both its ends move inwards
+    /// by one sd of the way since. The arm touched a point: its height is remembered, but its bin is
+    /// not felt by that, because a fall may begin beside the point. Readings of one bin may differ by
+    /// more than kArmContradiction of their sd. The lower height then stays, and the bin is not felt. A
+    /// robot that does not report its heading remembers nothing felt.
     static constexpr double kRememberedSd = 0.03;
     static constexpr double kArmContradiction = 3.0;
     /// The ground between the arm's point and the bin's centre may rise or fall by this much.
@@ -60,8 +60,8 @@ public:
     TrailHistory before(const Measurement& scene, double way = kTrailReach) const;
 
     /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
-    /// replaces it, and keeps its arm readings if the robot has not tilted since. The scene counts as
-    /// a line of telemetry.
+    /// replaces it. It keeps its arm readings if the robot has not tilted since. The scene counts
+    /// as a line of telemetry.
     void addScene(const Measurement& scene);
 
     /// Keeps a reading of the arm at the newest scene that was added. It lies at its bin's centre. A

@@ -25,8 +25,8 @@ struct TrailRows {
     int leftOut = 0;                ///< scenes that lack a feature or a height
 };
 
-/// Share of the scenes for training that know only a part of their way, so that the networks learn
-/// what a cut memory tells.
+/// Share of the scenes for training that know only a part of their way. From them the networks
+/// learn what a cut memory tells.
 inline constexpr double kCutShare = 0.25;
 
 /// Every how many drives one is kept for the errors.

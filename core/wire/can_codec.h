@@ -116,8 +116,8 @@ struct SensorLine {
     std::optional<Attitude> attitude;
     std::optional<Pair> frontAngles, rearAngles;      ///< [rad] tip up positive, within half a turn
     std::optional<Pair> frontCurrents, rearCurrents;  ///< [A] positive = pressing down
-    /// Voltages on the reference resistors [V]: left 1–3, left 4–6, right 1–3, right 4–6 of the front
-    /// flippers, and then the same of the rear flippers.
+    /// Voltages on the reference resistors [V]: left 1–3, left 4–6, right 1–3, right 4–6, front
+    /// flippers before rear ones.
     std::array<std::optional<Three>, 8> voltages;
     std::optional<ArmReading> arm;
     std::optional<double> differential;  ///< [rad] left track nose up, within half a turn

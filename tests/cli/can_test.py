@@ -112,7 +112,7 @@ class Decode(Logs):
                       "#039  repeated; Pitch", "#020  out of sequence; Pitch",
                       "Drive                      -     a value is beyond its range", "unknown identifier; [2] 01 02",
                       "00000022  unknown                    -     extended frame", "     remote frame", "022 remote unknown",
-                      "error frame                -     controller: ", "wrong checksum; a robot stops all the same"):
+                      "error frame                -     controller: ", "wrong checksum; a robot still stops"):
             self.assertIn(words, out)
         self.assertEqual(self.totals(out), (2, 2, 0, 3, 3, 3))
 

@@ -51,7 +51,7 @@ class Overwriting(Scenes):
         self.assertEqual(file.read_bytes(), before)
         self.assertFalse([p.name for p in self.path.rglob("*.tmp*")])
 
-    def test_an_empty_name_is_refused_before_anything_is_done(self):
+    def test_an_empty_name_is_refused_first(self):
         for arguments in (("reconstruct", "--data", self.scenes, "--out", ""), ("reconstruct", "--data", "", "--out", "o.csv"),
                           ("simulate", "--terrain", "", "--out", "o.csv"), ("can", "decode", ""),
                           ("reconstruct", "--data", self.scenes, "--out", "o.csv", "--model", ""),

@@ -83,7 +83,7 @@ class Links(Scenes):
 
 
 class Modes(Scenes):
-    def test_recordings_are_for_their_owner_whatever_the_umask(self):
+    def test_recordings_are_private_with_any_umask(self):
         log = self.written("a.log", FRAME)
         for mask in ("000", "022", "277"):
             out = self.path / f"{mask}.tts"

@@ -92,7 +92,7 @@ class Ros1Bags(Folder):
         (self.path / "p.toml").write_text(proposal)
         run("import", self.path / "a.bag", "--mapping", self.path / "p.toml", "--out", self.path / "p.tts")
 
-    def test_a_bag_without_index_or_end_is_read_as_far_as_it_goes(self):
+    def test_a_bag_without_index_or_end_is_read_in_part(self):
         whole = self.write("whole.bag", "lz4").read_bytes()
         for share in (0.3, 0.6, 0.9):
             torn = self.path / f"torn{share}.bag"
@@ -100,7 +100,7 @@ class Ros1Bags(Folder):
             (self.path / "m.toml").write_text(MAPPING)
             run("import", torn, "--mapping", self.path / "m.toml", "--out", torn.with_suffix(".tts"))
 
-    def test_the_shipped_mapping_of_the_ctu_absolem_reads_its_layout(self):
+    def test_shipped_absolem_mapping_reads_its_layout(self):
         mapping = pathlib.Path(SOURCE, "resources/mappings/ctu_absolem.toml")
         run("import", self.write("a.bag"), "--mapping", mapping, "--out", self.path / "a.tts")
 

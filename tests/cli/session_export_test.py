@@ -90,7 +90,7 @@ class OtherPrograms(Session):
                     self.assertAlmostEqual(message.timestamp, time * 1e-9, delta=2e-6)
                 self.assertFalse(any(m.is_extended_id or m.is_error_frame or m.is_remote_frame for m in messages))
 
-    def test_a_strict_reader_opens_the_strip_as_a_point_cloud(self):
+    def test_strict_reader_opens_the_strip_point_cloud(self):
         out, table = self.path / "strip.ply", self.path / "strip.csv"
         run("session", "strip", self.drive, "--out", out)
         run("session", "strip", self.drive, "--out", table)
@@ -124,7 +124,7 @@ class OtherPrograms(Session):
         wide, high = struct.unpack(">II", image.read_bytes()[16:24])
         self.assertEqual(root.get("viewBox"), f"0 0 {wide} {high}")
 
-    def test_a_strip_needs_a_format_and_a_section_that_is_there(self):
+    def test_strip_refuses_unknown_format_and_section(self):
         out = self.path / "strip.xyz"
         self.assertIn("expected .csv, .ply, .png", complaint("session", "strip", self.drive, "--out", out))
         self.assertIn("expected --section 1 to", complaint("session", "strip", self.drive, "--section", 99,

@@ -29,7 +29,7 @@ class Outputs(Folder):
                     self.assertAlmostEqual(float(exact[name]), float(found[name]), delta=0.1)
         run("train", "--data", truth, "--out", self.path / "m.ttm")
 
-    def test_nothing_is_written_or_overwritten_where_it_fails(self):
+    def test_a_failure_writes_and_overwrites_nothing(self):
         scenes, cloud, poses, truth = self.files
         cloud.write_bytes(cloud.read_bytes()[:5000])
         self.assertIn("it is cut", complaint("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", truth, "--sheet",

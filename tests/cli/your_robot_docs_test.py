@@ -7,7 +7,7 @@ from support import rows
 
 
 class Commands(PageCommands):
-    def test_the_afternoon_ends_with_a_model_that_estimates(self):
+    def test_the_page_ends_with_a_model_that_estimates(self):
         self.run_page("your_robot.md", 20)
         for model in ("generated_on_b", "mixed_on_b"):
             every = [row for row in rows(self.path / model / "tracks.csv")

@@ -263,8 +263,9 @@ struct BusConsole : testing::Test, RobotOnBench {
         return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
     }
 
-    /// [s] dead-man timeout, also at rest. On a busy machine the window may paint for longer than the real 0.1 s and
-    /// 1 s, which core/atem tests with a simulated clock. Only tests that freeze the window need the real ones.
+    /// [s] dead-man timeout, also at rest. On a busy machine the window may paint for longer than
+    /// the real 0.1 s and 1 s. core/atem tests them with a simulated clock. Only tests that freeze
+    /// the window need the real ones.
     double operatorAge = 60.0;
     std::function<std::unique_ptr<Gamepad>()> gamepads{};  // empty: none is read
     std::shared_ptr<SessionRecorder> recording{};          // used by consoles that are opened later

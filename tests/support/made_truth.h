@@ -15,7 +15,7 @@
 
 namespace terratact {
 
-/// Returns heights of a robot that stands level on a floor with a step ahead, at so many places 0.1 m apart. Its files
+/// Returns heights of a robot that stands level on a floor with a step ahead. The places are 0.1 m apart. Its files
 /// are in the directory, whose write(name, text) returns a path.
 template <class Directory>
 LaserTruth madeTruth(const Directory& directory, int count)

@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// Returns the path of a file of real ground in the folder TERRATACT_TERRAIN; empty if that
+/// Returns the path of a file of real ground in the folder TERRATACT_TERRAIN. Empty if that
 /// environment variable is not set or empty. Tests then skip.
 inline std::optional<std::string> realGround(const std::string& file)
 {

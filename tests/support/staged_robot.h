@@ -34,8 +34,9 @@ struct Staging {
     bool isNumb = false;                   ///< sends only status and heartbeat
 };
 
-/// A simulated robot with staged telemetry, in its own thread at the end "robot" of a MemoryBus, which must outlive it.
-/// If a console's heartbeats stop, as on a busy machine, the robot's time pauses for a while.
+/// A simulated robot with staged telemetry, in its own thread at the end "robot" of a MemoryBus.
+/// The bus must outlive it. If a console's heartbeats stop, as on a busy machine, the robot's time
+/// pauses for a while.
 class StagedRobot {
 public:
     StagedRobot(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,

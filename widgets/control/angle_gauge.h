@@ -9,8 +9,9 @@ class QPainter;
 
 namespace terratact {
 
-/// Draws a thin scale of an angle: zero in the middle, a short tick at each amber limit, a long one at each red limit,
-/// and a bar from zero to the angle. Without an angle, draws only the axes.
+/// Draws a thin scale of an angle, with zero in the middle and a bar from zero to the angle. A
+/// short tick marks each amber limit, a long one each red limit. Without an angle, draws only the
+/// axes.
 void drawAngleGauge(QPainter& painter, const QRectF& area,
                     const std::optional<DriveViewState::Angle>& angle, const QColor& ink);
 

@@ -11,9 +11,10 @@ class QPainter;
 
 namespace terratact {
 
-/// Force elements of the flippers, the left row above the right one, as seen from above with the front at the right. An
-/// element is a box with its number: filled where it touches the ground, with a bar of its force where it does not, and
-/// crossed out where it is not known. The rear elements are shown if they are known. A small map has no letters.
+/// Force elements of the flippers from above, front at the right. The left row stands above the
+/// right one. An element is a box with its number. It is filled where it touches the ground, else it
+/// has a bar of its force. Where unknown, it is crossed out. The rear elements are
+/// shown if they are known. A small map has no letters.
 struct ContactMap {
     std::optional<FlipperContacts> contacts{};  ///< empty: nothing is known
     bool isSmall = false;

@@ -8,10 +8,11 @@
 
 namespace terratact {
 
-/// What a driver needs at a glance, in one row: pitch and roll with their limits, contact by flipper and segment, speed,
-/// distance since the last estimate, and how far the ground is felt. A level or a contact fills its cell and is named
-/// with a mark and a word. A narrow strip leaves out the limits in numbers, then the words of the captions; marks, fills
-/// and gauges stay. Takes values, emits nothing.
+/// What a driver needs at a glance, in one row. It has pitch and roll with their limits, contact by
+/// flipper and segment, and speed. It also has the distance since the last estimate, and how far
+/// the ground is felt. A level or a contact fills its cell and is named with a mark and a word. A
+/// narrow strip leaves out the limits in numbers, then the words of the captions; marks, fills and
+/// gauges stay. Takes values, emits nothing.
 class DriveStrip final : public QFrame {
     Q_OBJECT
 public:

@@ -19,8 +19,8 @@ struct TimePlotCurve {
     bool isHeld = false;  ///< a value holds until the next one
 };
 
-/// Returns the lines of a curve [px]: from the lowest to the highest value of each column, and on to the next one.
-/// They break at pauses. until: time up to which a held value is drawn [s].
+/// Returns the lines of a curve [px]. They go from the lowest to the highest value of each column,
+/// and on to the next one. They break at pauses. until: time up to which a held value is drawn [s].
 std::vector<QPolygonF> curveLines(const TimePlotCurve& curve, const QwtScaleMap& x,
                                   const QwtScaleMap& y, double until);
 

@@ -20,8 +20,8 @@ struct PlotBox {
 };
 
 /// One row of time plots: up to four signals over time, with a cursor. The pointer moves the cursor and a click fixes
-/// it. A drag draws a box to zoom to; a drag with the right or the middle button, or with Shift, moves in time. The wheel zooms
-/// at the pointer, with Shift it moves. GUI thread only.
+/// it. A drag draws a box to zoom to. A drag with the right or the middle button, or with Shift, moves in time. The
+/// wheel zooms at the pointer, with Shift it moves. GUI thread only.
 class TimePlot final : public QwtPlot {
     Q_OBJECT
 public:

@@ -41,8 +41,9 @@ private:
     Provenance provenance_;
 };
 
-/// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough. Two sides have a row
-/// each, the left one above, where the canvas leaves both rows free; else the side in full alone has one.
+/// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough.
+/// Where the canvas leaves both rows free, each of two sides has one, left above. Else the side in
+/// full alone has one.
 class MarkLetters final : public QwtPlotItem {
 public:
     using Row = std::array<std::optional<Provenance>, kBins>;

@@ -64,8 +64,9 @@ public:
               const QRectF& canvas) const override;
 };
 
-/// Hatched zones of bins that are not felt, each run with its word, and the felt horizon as a line. Where two sides are
-/// shown, a zone of one side alone is paler, and its word begins with the side's letter.
+/// Hatched zones of bins that are not felt, each run with its word, and the felt horizon as a line.
+/// Where two sides are shown, a zone of one side alone is paler. Its word begins with the side's
+/// letter.
 class BinZones final : public QwtPlotItem {
 public:
     /// What this pose does not feel of one side.

@@ -59,7 +59,7 @@ struct ArmTip {
 /// no room. A bin with bimodal draws shows both heights.
 /// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
 /// side's line is hollow, and letters stand at their ends.
-/// The wheel, + and − zoom, dragging and Shift with an arrow key pan, a double click or 0 shows the robot again. Two
+/// The wheel, + and − zoom. Dragging and Shift with an arrow key pan. A double click or 0 shows the robot again. Two
 /// fingers zoom and pan, a resting one shows a bin in detail. Remembered ground (remembered_layer.h) reaches beyond the
 /// picture.
 /// While measuring, a drag sets two points. Their distance, rise and slope are shown, with the bands of both heights, or

@@ -103,7 +103,7 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 
 /// Returns the stretches on which the front flippers press, DEM frame, rear to front. Each reaches
 /// from one element to another. These two and all between carry their share of load on even ground,
-/// as for Felt, with a pressure above 0. From element 1 on, it begins kUnsensedWithin behind the
+/// with a pressure above 0 (as Felt). From element 1 on, it begins kUnsensedWithin behind the
 /// flippers' edge.
 std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
 
@@ -111,8 +111,8 @@ std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Propr
 inline constexpr double kArmSpan = kBinWidth;  // kFeltCells cells
 
 /// Returns the felt cells and those that the arm's points join. The arm touches a point at the centre
-/// of its bin. The cells between a point and the next felt cell or point, behind and ahead, count as
-/// felt if that is at most kArmSpan away. A point alone feels no cell: a fall may begin beside it.
+/// of its bin. Cells between a point and the next felt cell or point, at most kArmSpan away, count as
+/// felt. A point alone feels no cell: a fall may begin beside it.
 FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate);
 
 /// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.

@@ -40,8 +40,8 @@ struct TwoTrackVerdict {
     StepProbability either;       ///< probability of a step ahead on either side
     CrossSlope crossSlope;        ///< of all bins ahead
     /// Answer for the robot. Blocked if a side or the cross slope is blocked, or if a step on either
-    /// side is probable enough for Blocked. Clear if both sides are clear, and the joint probability
-    /// up to both horizons. The cross slope must be clear up to the nearer one. CannotTell else, and
+    /// side has Blocked's probability. Clear if both sides are clear, and the joint probability up
+    /// to both horizons. The cross slope must be clear up to the nearer one. CannotTell else, and
     /// where the verdict of a side is withheld.
     StepVerdict both = StepVerdict::CannotTell;
     /// True if the estimate is of one plane: the sides are equal, and both is their answer.
@@ -61,10 +61,10 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
                           const TwoTrackReadings& s, double limit,
                           const LinkSinceScene& since = {});
 
-/// Decides for the line of telemetry that the estimate rests on. An estimate of one plane has the
-/// verdict of one plane on both sides, with its limits of roll and asymmetry. Its cross slope is 0.
-/// An estimate of both sides has the verdict above. Without joint draws nothing is known of the
-/// robot: CannotTell, {0, 1}.
+/// Decides for the line of telemetry that the estimate rests on. An estimate of one plane has that
+/// plane's verdict on both sides, with its limits of roll and asymmetry. Its cross slope is 0. An
+/// estimate of both sides has the verdict above. Without joint draws nothing is known of the robot:
+/// CannotTell, {0, 1}.
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
                           const Measurement& line, const LinkSinceScene& since, double limit);
 

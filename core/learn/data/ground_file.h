@@ -14,7 +14,7 @@ struct GroundFile {
 };
 
 /// Reads ground from CSV (core/store/csv_reader.h), heights in metres, z up. A file without a
-/// column y_m is read as readProfiles() reads it (core/learn/data/profile_file.h); each profile is
+/// column y_m is read as readProfiles() reads it (core/learn/data/profile_file.h). Each profile is
 /// then equal under every part of the robot. A header with these columns, in any order but for the
 /// last, begins a file of lines:
 ///   pair       name of the ground. Consecutive lines of the same name belong to one ground. Without

@@ -33,7 +33,7 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
 
 /// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most
 /// kCopySd √2 standard deviations of its noise (core/sim/sensor_noise.h). The root mean square of
-/// the height differences is at most 26 mm, over the bins that both know; without a common bin they
+/// the height differences is at most 26 mm, over the bins that both know. Without a common bin they
 /// are two places. A scanner's noise of 12 mm exceeds that once in a hundred times.
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;

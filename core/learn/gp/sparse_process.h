@@ -54,7 +54,7 @@ inline constexpr double kUnexplainedOfNoise = 1e-4;
 /// relative error of a predicted variance is about this share at most.
 inline constexpr double kLeftTogether = 1e-2;
 
-/// Returns nothing if it needs no row, more than 92 % of the rows, or if half as many explain too
+/// Returns nothing if it needs none or over 92 % of the rows, or if half as many explain too
 /// little. It also returns nothing if the remaining rows explain more than kLeftTogether, or if
 /// σ_n² is below 1e-4 σ_f². X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m
 /// multiplications. Memory: 0.92 n² doubles, n m of them used, and (n − m) n more or 4 m².

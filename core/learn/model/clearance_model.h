@@ -29,13 +29,13 @@ public:
     Heights predict(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the residuals of the kNeighbours nearest training scenes in s with the same bins
-    /// covered, at most one from each place:
+    /// covered. Each place gives one at most:
     ///   D² = Σ_d (x_d − x'_d)² w_d²,  w_d² = mean over the processes of 1 / ℓ_d²
-    /// with the weights of residualWeights().
-    /// If too few scenes have the same bins covered, other scenes follow. A bin whose regime
-    /// differs there, or whose height is unknown, takes the residual of the nearest scenes that have
-    /// it in the right regime. A bin that no
-    /// training scene has in this regime gets normal quantiles times its residual sd.
+    /// with the weights of residualWeights(). If too few scenes have the same bins covered,
+    /// other scenes follow. A bin may have another regime there, or an unknown height. It
+    /// then takes the residual of the nearest scenes that have it in the right regime. A bin
+    /// that no training scene has in this regime gets normal quantiles times its residual
+    /// sd.
     ResidualSample localResiduals(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the second moments of the residuals, each pair over the scenes in which both bins
@@ -46,11 +46,11 @@ public:
     /// Covered bins of both sides: left, right.
     using SideBins = std::array<unsigned, 2>;
 
-    /// Returns the residuals of both sides in the kNeighbours training scenes that are nearest to
-    /// the left side's features, as localResiduals() does. A scene and its mirror image count as two
-    /// scenes of one place, and D weighs own and other side alike. Errors of both sides correlate;
-    /// these vectors keep that. right: the model of the right side, which may lack other features of
-    /// the same training rows.
+    /// Returns the residuals of both sides, as localResiduals() does. They are from the kNeighbours
+    /// training scenes nearest to the left side's features. A scene and its mirror image count as
+    /// two scenes of one place, and D weighs own and other side alike. Errors of both sides
+    /// correlate; these vectors keep that. right: the model of the right side, which may lack other
+    /// features of the same training rows.
     ResidualSample sideResiduals(const ClearanceModel& right, const Eigen::VectorXd& leftFeatures,
                                  const SideBins& covered) const;
 
@@ -65,8 +65,8 @@ public:
     double contactSd() const { return contactSd_; }
 
     /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
-    /// left out, a process counts in w_d by its rows, because few rows may give an unusual length
-    /// scale. Of sides, w_d² is the mean of own and other side, and noveltyScale looks at 3000 rows.
+    /// left out, a process counts in w_d by its rows. A few rows may give an unusual length scale.
+    /// Of sides, w_d² is the mean of own and other side, and noveltyScale looks at 3000 rows.
     static Eigen::VectorXd metric(const SurfaceData& model, AbsentFeatures without = {});
     static double noveltyScale(const SurfaceData& model, const Poll& poll = {},
                                AbsentFeatures without = {});

@@ -34,9 +34,9 @@ struct TrainedSurface {
 /// of the bin's height (open), or of every covered bin's y (covered). places: place of each
 /// training row (placesOf); empty: one row each. Hyper-parameters come from the first row of each
 /// place, and a residual leaves out every row of its place. kept: the inducing rows are among the
-/// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows. The
-/// heights' sd is noise of its row, and the residuals are scaled to the variance that they would have
-/// with exact heights.
+/// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows.
+/// The heights' sd is noise of its row. The residuals are scaled to the variance that they would
+/// have with exact heights.
 TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options, const Poll& poll = {},
                             const std::vector<int>& places = {}, Eigen::Index kept = 0);

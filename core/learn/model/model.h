@@ -49,13 +49,13 @@ struct ClearanceData {
 
 /// Training rows of surface processes, and what was learnt from them. There are 11 features
 /// (FeatureSet::Paf) for one plane. There are kSideFeatures for one side of a robot with two tracks
-/// (core/learn/data/side_features.h): rows 2k and 2k + 1 are then the left and right side of scene
+/// (core/learn/data/side_features.h). Rows 2k and 2k + 1 are then the left and right side of scene
 /// k.
 struct SurfaceData {
     Eigen::MatrixXd heights;   ///< U × 11 [m]
     Eigen::MatrixXd features;  ///< U × f, raw
     Eigen::MatrixXd heightSd;  ///< U × 11 [m] sd of each height; without rows: heights are exact
-    /// Per row, bit i is set if the height of bin i is unknown; height, sd and residual are 0 there.
+    /// Per row, bit i is set if the height of bin i is unknown. Height, sd and residual are 0 there.
     /// Without entries: all heights are known.
     std::vector<unsigned> unknownBins;
     ClearanceData clearance;

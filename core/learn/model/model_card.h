@@ -24,8 +24,8 @@ struct CardScores {
     bool operator==(const CardScores&) const = default;
 };
 
-/// How much of the generated scenes a training kept beside real ones, chosen by the error on real scenes that were held
-/// out.
+/// How much of the generated scenes a training kept beside real ones. The error on held-out real scenes chose
+/// it.
 struct CardMix {
     struct Trial {
         double weight = 0.0;     ///< 0 … 1: share of the generated scenes

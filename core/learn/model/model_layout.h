@@ -30,7 +30,7 @@ const Column& inputColumn(std::size_t position);
 /// Returns the number of inputs of a set, with the heights.
 std::size_t inputs(FeatureSet set);
 
-/// Table of the heights' sd, which a model of exact heights does not have; of two tracks with the prefix side_.
+/// Table of the heights' sd, which a model of exact heights lacks. Of two tracks it has the prefix side_.
 inline constexpr const char* kSdTable = "height_sd_row";
 inline constexpr const char* kSideSdTable = "side_height_sd_row";
 

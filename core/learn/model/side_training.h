@@ -9,8 +9,8 @@
 
 namespace terratact {
 
-/// Number of scenes of two tracks that a model keeps. Processes learn from all scenes, but their
-/// inducing rows and the residuals of method `local` are those of the first scenes.
+/// Number of scenes of two tracks that a model keeps. Processes learn from all scenes. Their
+/// inducing rows, and the residuals of method `local`, are those of the first scenes.
 inline constexpr int kKeptScenes = 12'000;
 
 /// Largest number of scenes of two tracks that a model learns from.

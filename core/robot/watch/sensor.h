@@ -81,7 +81,7 @@ constexpr std::size_t elementOf(Sensor force)
 }
 
 /// Returns a name such as "pitch angle", "front left flipper angle", "rear right flipper current",
-/// "force 3", "left force 3" or "track odometry".
+/// "left force 3" or "track odometry".
 SourceText describe(Sensor sensor);
 
 /// Returns the readings of a line; empty where the robot did not measure. Forces are the means, and

@@ -21,10 +21,10 @@ namespace terratact {
 ///   WrongOrder   Two elements each have the load of the other. Of elements 1 and 6 the side that
 ///                feels 1 is named, of 2 and 5 both sides.
 ///   Late         One side alone still changes after the flippers rest.
-/// Elements that differ in both directions touch different ground and are not judged. kPresses more
-/// presses with a fault than loaded presses without it raise a suspicion, and as many without it
-/// clear the suspicion.
-/// The watch needs both sides, and kMinRaised lines of driving with raised flippers. It has no clock.
+/// Elements that differ in both directions touch different ground and are not judged. A suspicion
+/// needs kPresses more presses with a fault than loaded presses without it. As many without it clear
+/// the suspicion. The watch needs both sides, and kMinRaised lines of driving with raised flippers.
+/// It has no clock.
 class SideWatch {
 public:
     static constexpr double kAngle = 0.05;    ///< [rad] largest difference of left and right

@@ -13,8 +13,8 @@
 namespace terratact {
 
 /// Coordinates of a two-track pose in gradients. The angles of an axle's flippers are mean + half
-/// (left) and mean − half (right). The first four are then those of the plane, and the others are 0
-/// on ground that is equal on both sides.
+/// (left) and mean − half (right). The first four are then those of the plane. The others are 0 on
+/// ground that is equal on both sides.
 struct TwoTrackCoordinate {
     enum : int { Z, Pitch, FrontMean, RearMean, Roll, FrontHalf, RearHalf, Differential, Count };
 };

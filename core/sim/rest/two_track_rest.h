@@ -39,11 +39,11 @@ struct RestStart {
 /// Returns drives of single flippers for drives of axles: each flipper has half of a torque.
 PerFlipper<FlipperDrive> flipperDrives(const FlipperDrive& front, const FlipperDrive& rear);
 
-/// Returns the rest pose with the base origin at x. It is a local minimum of TwoTrackPotential over
-/// height, pitch, roll, the pressed flippers' angles and a free differential. The robot reaches it
-/// when it is lowered from `start` with growing contact stiffness. On equal lines it is restPose()
-/// of the plane (core/sim/rest/rest_pose.h). drives: torques of single flippers.
-/// Error if there is no rest pose. The robot tips over (|pitch| > 1.2 rad or |roll| > 0.7 rad), or a
+/// Returns the rest pose with the base origin at x. It is a local minimum of TwoTrackPotential
+/// over height, pitch, roll, the pressed flippers' angles and a free differential. The robot
+/// reaches it when it is lowered from `start` with growing contact stiffness. On equal lines it is
+/// restPose() of the plane (core/sim/rest/rest_pose.h). drives: torques of single flippers. Error
+/// if there is no rest pose. The robot tips over (|pitch| > 1.2 rad or |roll| > 0.7 rad). Or a
 /// flipper lies on the robot (beyond 2.5 rad). Throws std::invalid_argument unless all numbers are
 /// finite.
 Result<TwoTrackRest> restPose(const RobotModel& robot, const GroundLines& terrain, double x,

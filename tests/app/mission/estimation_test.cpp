@@ -79,7 +79,7 @@ TEST_F(DrivingOn, showsNothingRememberedWhileTheLinkIsLost)
         << "it is ended for that, not for the silence of now";
 }
 
-TEST_F(DrivingOn, remembersNothingOfAnEstimateThatTheOperatorHasCleared)
+TEST_F(DrivingOn, aClearedEstimateIsNotRemembered)
 {
     telemetry.travelled = 0.0;
     stand();
