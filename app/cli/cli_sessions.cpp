@@ -178,6 +178,12 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     addInput(*c, "--model", o->rerun.model,
              "Another model (*.ttm), or where the session's is, if it is "
              "not the shipped one");
+    declareFiles(*c, FileRole::Input, [o] {
+        Paths read = shippedModelPaths();
+        if (!o->rerun.model.empty()) read.push_back(o->rerun.model);
+        for (const std::string& model : Paths(read)) read.push_back(trailPathBeside(model));
+        return read;
+    });
     addTextOutput(*c, "--out", o->out, "CSV to write, a row for each bin");
     c->callback([o, &job] {
         o->rerun.shippedModels = shippedModelPaths();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/open_session.h"
 #include "app/cli/session_commands.h"
 #include "app/recording/payload_signals.h"
 #include "app/recording/session_text.h"
@@ -120,7 +121,7 @@ bool verify(SessionReader& session, const std::string& link)
 Status showSessions(const std::vector<std::string>& files)
 {
     for (const std::string& file : files) {
-        auto session = SessionReader::open(file);
+        auto session = openSession(file);
         if (!session) return session.error();
         print(*session);
     }
@@ -133,7 +134,7 @@ Status verifySessions(const VerifyOptions& options)
         return Error{"--link is the last link of one session"};
     std::size_t bad = 0;
     for (const std::string& file : options.files) {
-        auto session = SessionReader::open(file);
+        auto session = openSession(file);
         if (!session) {
             printText("{}\n", session.error().text);
             ++bad;
@@ -152,7 +153,7 @@ Status exportSession(const SessionExportOptions& options)
         return fileError(options.out,
                          "ends in none of .log, .asc, .csv, .mcap: choose a format with "
                          "--format");
-    auto session = SessionReader::open(options.file);
+    auto session = openSession(options.file);
     if (!session) return session.error();
     const bool holdsSignals = *format == ExportFormat::Csv || *format == ExportFormat::Mcap;
     if (!options.dbc.empty() && !holdsSignals)

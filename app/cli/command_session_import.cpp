@@ -69,8 +69,8 @@ private:
 
     Status add(const LogReader& log, const LoggedFrame& logged)
     {
-        if (!logged.time || *logged.time < 0.0 || *logged.time > 9e9)
-            return log.error(Message::verbatim("has no time that a session could have"));
+        if (!logged.time)
+            return log.error(Message::verbatim("has no time: record with candump -L"));
         if (!writer_)
             if (Status begun = begin(log, logged); !begun) return begun;
         if (logged.interface != interface_)
@@ -147,9 +147,16 @@ private:
 
     Status begin(const LogReader& log, const LoggedFrame& first)
     {
+        constexpr double kMaxStart = 9e9;  // [s] a session counts nanoseconds since 1970
+        if (*first.time > kMaxStart)
+            return log.error(Message::verbatim(fmt::format(
+                "begins at {:.0f} s since 1970, expected at most {:.0f} s: was the clock set?",
+                *first.time, kMaxStart)));
         begin_ = log.elapsed();
         interface_ = first.interface;
-        const SessionStart start{.wallTime = sessionTimeOf(*first.time),
+        // A double holds a time since 1970 to a quarter of a microsecond.
+        const SessionTime microseconds = std::llround(*first.time * 1e6);
+        const SessionStart start{.wallTime = microseconds * 1000,
                                  .program = "terratact session import",
                                  .source = sourceName(),
                                  .bus = interface_,

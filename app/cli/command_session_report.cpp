@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/cli/open_session.h"
 #include "app/cli/session_commands.h"
 #include "app/figures/mission_report.h"
 #include "app/figures/session_report.h"
@@ -27,7 +28,7 @@ Status reportMission(SessionReader& session, const SessionReportOptions& options
 
 Status reportSession(const SessionReportOptions& options)
 {
-    auto session = SessionReader::open(options.file);
+    auto session = openSession(options.file);
     if (!session) return session.error();
     const auto book = readDbcBook(CanProtocol::Terratact, options.dbc);
     if (!book) return book.error();

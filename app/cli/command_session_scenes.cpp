@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <set>
 
+#include "app/cli/open_session.h"
 #include "app/cli/session_commands.h"
 #include "app/recording/scene_origins.h"
 #include "app/recording/session_text.h"
@@ -110,7 +111,7 @@ private:
 template <class Scenes>
 Status addScenes(const std::string& path, bool measured, SceneOrigins& origins, Scenes& scenes)
 {
-    const auto session = SessionReader::open(path);
+    const auto session = openSession(path);
     if (!session) return session.error();
     const auto robot = robotOf(*session);
     if (measured && !robot) return robot.error();
@@ -158,7 +159,7 @@ void sayWhatTracksWouldAdd(const std::vector<std::string>& files)
 {
     std::ptrdiff_t withSides = 0;
     for (const std::string& file : files)
-        if (const auto session = SessionReader::open(file))
+        if (const auto session = openSession(file))
             withSides += std::ranges::count_if(
                 session->scenes(), [](const SceneRow& row) { return hasSides(row.measurement); });
     if (withSides > 0)

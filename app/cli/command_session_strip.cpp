@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/cli/open_session.h"
 #include "app/cli/session_commands.h"
 #include "app/figures/strip_file.h"
 #include "app/recording/session_text.h"
@@ -14,7 +15,7 @@ namespace terratact {
 
 Status exportStrip(const SessionStripOptions& options)
 {
-    auto session = SessionReader::open(options.file);
+    auto session = openSession(options.file);
     if (!session) return session.error();
     const auto robot = robotOf(*session);
     if (!robot) return robot.error();

@@ -88,15 +88,20 @@ bool isReadableName(std::string_view text)
 
 std::string shown(std::string_view text)
 {
-    constexpr std::size_t kMaxLength = 40;
+    constexpr int kMaxLength = 40;
     std::string line = "'";
-    for (const char c : text.substr(0, kMaxLength)) {
-        if (c == '\t')
+    for (int i = 0; i < kMaxLength && !text.empty(); ++i) {
+        const std::string_view before = text;
+        const auto next = nextCharacter(text);
+        if (!next) text.remove_prefix(1);
+        if (next == U'\t')
             line += "<tab>";
+        else if (next && !hidesOrMoves(*next))
+            line += before.substr(0, before.size() - text.size());
         else
-            line += c >= ' ' && c <= '~' ? c : '?';
+            line += '?';
     }
-    line += text.size() > kMaxLength ? "…'" : "'";
+    line += text.empty() ? "'" : "…'";
     return line;
 }
 

@@ -199,7 +199,8 @@ Result<std::string_view> CsvReader::readQuoted()
     bool isDoubled = false;
     for (std::size_t end = 0;; ++end) {
         end = begin.find('"', end);
-        if (end == std::string_view::npos) return error(TR_NOOP("core", "a quote does not end"));
+        if (end == std::string_view::npos)
+            return error(TR_NOOP("core", "a quote does not end: close it, or delete the line"));
         if (begin.substr(end).starts_with("\"\"")) {
             isDoubled = true;
             ++end;
@@ -311,13 +312,14 @@ Status CsvReader::checkCount()
     const Message cause(TR_NOOP("core", "has %1 fields where the header has %2"), fields_.size(),
                         columns_);
     if (fields_.size() < columns_ && lacksLineEnd_)
-        return error(Message(TR_NOOP("core", "is torn: has %1 fields where the header has %2, and "
-                                             "the file does not end with a line end"),
-                             fields_.size(), columns_));
+        return error(
+            Message(TR_NOOP("core", "is torn: has %1 fields where the header has %2, and "
+                                    "the file does not end with a line end: delete the line"),
+                    fields_.size(), columns_));
     if (fields_.size() > columns_ && separator_ == ',')
         return error(Message(
             TR_NOOP("core", "%1: are there decimal commas? save numbers with a point"), cause));
-    return error(cause);
+    return error(Message(TR_NOOP("core", "%1: mend or delete the line"), cause));
 }
 
 // Returns true for a line below the header without any number, where numbers are expected.
@@ -362,11 +364,12 @@ Result<double> CsvReader::number(std::size_t field, std::string_view what)
         const SourceText refusal =
             grouped ? TR_NOOP("core", "%1 is not a number: %2: save numbers with a point, and "
                                       "nothing between thousands")
-                    : TR_NOOP("core", "%1 is not a number: %2");
+                    : TR_NOOP("core", "%1 is not a number: %2: write a number there");
         return error(Message(refusal, what, shown(text)));
     }
     if (!std::isfinite(*value))
-        return error(Message(TR_NOOP("core", "%1 is not finite: %2"), what, shown(text)));
+        return error(Message(TR_NOOP("core", "%1 is not finite: %2: write a finite number there"),
+                             what, shown(text)));
     if (separator_ == ',') return *value;
     const std::size_t mark = text.find_first_of(",.");
     if (mark == std::string_view::npos) return *value;

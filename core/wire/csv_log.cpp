@@ -110,7 +110,7 @@ private:
         constexpr double kMicroseconds = 1e6;
         const std::string_view text =
             field(fields, dialect_ == Dialect::Own ? "__time" : "timestamp");
-        const bool isWhole = text.find('.') == std::string_view::npos;
+        const bool isWhole = text.find_first_of(".,") == std::string_view::npos;
         const Result<double> time =
             logSeconds(text, dialect_ == Dialect::Gvret && isWhole ? kMicroseconds : 1.0);
         if (!time) return time.error();

@@ -27,9 +27,26 @@ LogBytes::Source sourceOf(std::unique_ptr<std::istream> log)
     };
 }
 
+constexpr std::size_t kMaxZeroRemarks = 100;
+
 bool isZeros(std::string_view text)
 {
     return text.find_first_not_of('\0') == std::string_view::npos;
+}
+
+/// Consumes zero bytes, at most `most`. Returns true if something else follows them.
+Result<bool> skipZeros(LogBytes& bytes, std::uint64_t most)
+{
+    for (std::uint64_t skipped = 0;;) {
+        const Result<std::string_view> rest = bytes.peek(1);
+        if (!rest) return rest.error();
+        const std::size_t zeros = std::min(rest->find_first_not_of('\0'), rest->size());
+        const bool follows = zeros < rest->size();
+        bytes.consume(zeros);
+        skipped += zeros;
+        if (follows || zeros == 0) return follows;
+        if (skipped > most) return true;
+    }
 }
 
 }  // namespace
@@ -87,6 +104,26 @@ Result<LogReader::Line> LogReader::readLine()
             if (const Message kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
         const std::size_t end = got->find(lineEnd_, looked);
+        const std::size_t zero = got->find('\0', looked);
+        if (format_ && zero <= kMaxLineLength && zero < end) {  // after a power loss
+            ++line_;
+            text_ = got->substr(0, zero);
+            bytes_.consume(zero);
+            const Result<bool> follows = skipZeros(bytes_, kMaxZeros);
+            if (!follows) return fileError(name_, follows.error().message, follows.error().code);
+            if (!*follows) {
+                text_ += '\0';
+                return Line::Unended;
+            }
+            if (remarks_.size() < kMaxZeroRemarks)
+                remark(text_.empty()
+                           ? TR_NOOP("core", "zero bytes, as after a power loss, are left out")
+                           : TR_NOOP("core", "zero bytes, as after a power loss, are left out, and "
+                                             "the text that they cut"));
+            --line_;
+            looked = 0;
+            continue;
+        }
         if (end <= kMaxLineLength) {  // npos is larger
             ++line_;
             text_ = got->substr(0, end);

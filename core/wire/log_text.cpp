@@ -18,7 +18,7 @@ constexpr std::array<std::size_t, 7> kLongFdLengths{12, 16, 20, 24, 32, 48, 64};
 
 Error expectedInLog(SourceText what, std::string_view found)
 {
-    return Error{Message(TR_NOOP("core", "expected %1, found %2"), what,
+    return Error{Message(TR_NOOP("core", "expected %1, found %2: mend or delete the line"), what,
                          found.empty() ? Message(TR_NOOP("core", "the end of the line"))
                                        : Message::verbatim(shown(found)))};
 }
@@ -50,8 +50,10 @@ bool isDigits(std::string_view text)
 
 Result<double> logSeconds(std::string_view text, double perSecond)
 {
-    const bool isPlain = text.find_first_not_of("0123456789.") == std::string_view::npos;
-    const std::optional<double> number = isPlain ? numberFrom(text) : std::nullopt;
+    std::string pointed(text);  // a desktop may write a decimal comma
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    const bool isPlain = pointed.find_first_not_of("0123456789.") == std::string::npos;
+    const std::optional<double> number = isPlain ? numberFrom(pointed) : std::nullopt;
     if (!number || !(*number / perSecond <= kMaxLogSeconds))
         return expectedInLog(TR_NOOP("core", "a time, a number that is not negative"), text);
     return *number / perSecond;

@@ -92,7 +92,9 @@ private:
         if (text.starts_with(kVersion)) {
             const std::string_view version = text.substr(kVersion.size());
             if (version.empty() || version.front() < '1' || version.front() > '2')
-                return expectedInLog(TR_NOOP("core", "version 1.0 to 2.1 of the format"), version);
+                return Error{Message(TR_NOOP("core", "is of version %1 of the format: export it as "
+                                                     "version 1.0 to 2.1"),
+                                     shown(version))};
             if (version == "2.0") columns_ = kColumns20;
         } else if (text.starts_with(kStart)) {
             setStart(secondsOfDays(text.substr(kStart.size())));

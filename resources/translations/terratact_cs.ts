@@ -2541,10 +2541,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je hlavička a nenásleduje po ní žádná scéna</translation>
     </message>
     <message>
-        <source>a quote does not end</source>
-        <translation>uvozovka nekončí</translation>
-    </message>
-    <message>
         <source>too many notes</source>
         <translation>příliš mnoho poznámek</translation>
     </message>
@@ -3163,10 +3159,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the word ERRORFRAME</source>
         <translation>slovo ERRORFRAME</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2</source>
-        <translation>očekáváno: %1, nalezeno: %2</translation>
     </message>
     <message>
         <source>holds no frame</source>
@@ -3941,10 +3933,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>řádek %1: %2: uložte je oddělená čárkami, čísla s desetinnou tečkou</translation>
     </message>
     <message>
-        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end</source>
-        <translation>je utržený: má %1 polí, kde jich záhlaví má %2, a soubor nekončí koncem řádku</translation>
-    </message>
-    <message>
         <source>%1: are there decimal commas? save numbers with a point</source>
         <translation>%1: jsou tam desetinné čárky? uložte čísla s desetinnou tečkou</translation>
     </message>
@@ -3955,14 +3943,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1 is not a number: %2: save numbers with a point, and nothing between thousands</source>
         <translation>%1 není číslo: %2: uložte čísla s desetinnou tečkou a bez oddělovače tisíců</translation>
-    </message>
-    <message>
-        <source>%1 is not a number: %2</source>
-        <translation>%1 není číslo: %2</translation>
-    </message>
-    <message>
-        <source>%1 is not finite: %2</source>
-        <translation>%1 není konečné číslo: %2</translation>
     </message>
     <message>
         <source>%1 is %2, and line %3 has a decimal comma: save all numbers with a decimal point</source>
@@ -4167,10 +4147,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>an identifier up to 1FFFFFFF</source>
         <translation>identifikátor do 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>version 1.0 to 2.1 of the format</source>
-        <translation>verze formátu 1.0 až 2.1</translation>
     </message>
     <message>
         <source>the start time is not understood: times count from 0</source>
@@ -5151,6 +5127,46 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>is text in UTF-32: save it in UTF-8</source>
         <translation>je text v UTF-32: uložte jej v UTF-8</translation>
+    </message>
+    <message>
+        <source>a quote does not end: close it, or delete the line</source>
+        <translation>uvozovky nejsou uzavřeny: uzavřete je, nebo řádek smažte</translation>
+    </message>
+    <message>
+        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end: delete the line</source>
+        <translation>je utržený: má %1 polí, kde jich má záhlaví %2, a soubor nekončí koncem řádku: řádek smažte</translation>
+    </message>
+    <message>
+        <source>%1: mend or delete the line</source>
+        <translation>%1: opravte nebo smažte řádek</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2: write a number there</source>
+        <translation>%1 není číslo: %2: napište tam číslo</translation>
+    </message>
+    <message>
+        <source>%1 is not finite: %2: write a finite number there</source>
+        <translation>%1 není konečné: %2: napište tam konečné číslo</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16: save it as UTF-8</source>
+        <translation>je text v UTF-16: uložte jej jako UTF-8</translation>
+    </message>
+    <message>
+        <source>zero bytes, as after a power loss, are left out</source>
+        <translation>nulové bajty jako po výpadku napájení jsou vynechány</translation>
+    </message>
+    <message>
+        <source>zero bytes, as after a power loss, are left out, and the text that they cut</source>
+        <translation>nulové bajty jako po výpadku napájení jsou vynechány i s textem, který přerušily</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2: mend or delete the line</source>
+        <translation>očekáváno: %1, nalezeno: %2: opravte nebo smažte řádek</translation>
+    </message>
+    <message>
+        <source>is of version %1 of the format: export it as version 1.0 to 2.1</source>
+        <translation>má verzi formátu %1: exportujte jej jako verzi 1.0 až 2.1</translation>
     </message>
 </context>
 <context>

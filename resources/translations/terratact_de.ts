@@ -2541,10 +2541,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist die Kopfzeile, und keine Szene folgt ihr</translation>
     </message>
     <message>
-        <source>a quote does not end</source>
-        <translation>ein Anführungszeichen wird nicht geschlossen</translation>
-    </message>
-    <message>
         <source>too many notes</source>
         <translation>zu viele Notizen</translation>
     </message>
@@ -3163,10 +3159,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the word ERRORFRAME</source>
         <translation>das Wort ERRORFRAME</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2</source>
-        <translation>erwartet: %1, gefunden: %2</translation>
     </message>
     <message>
         <source>holds no frame</source>
@@ -3941,10 +3933,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Zeile %1: %2: speichern Sie sie durch Kommas getrennt, Zahlen mit Punkt</translation>
     </message>
     <message>
-        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end</source>
-        <translation>ist abgerissen: hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende</translation>
-    </message>
-    <message>
         <source>%1: are there decimal commas? save numbers with a point</source>
         <translation>%1: gibt es Dezimalkommas? Speichern Sie Zahlen mit Punkt</translation>
     </message>
@@ -3955,14 +3943,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1 is not a number: %2: save numbers with a point, and nothing between thousands</source>
         <translation>%1 ist keine Zahl: %2: speichern Sie Zahlen mit Punkt und ohne Tausendertrennung</translation>
-    </message>
-    <message>
-        <source>%1 is not a number: %2</source>
-        <translation>%1 ist keine Zahl: %2</translation>
-    </message>
-    <message>
-        <source>%1 is not finite: %2</source>
-        <translation>%1 ist nicht endlich: %2</translation>
     </message>
     <message>
         <source>%1 is %2, and line %3 has a decimal comma: save all numbers with a decimal point</source>
@@ -4167,10 +4147,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>an identifier up to 1FFFFFFF</source>
         <translation>eine Kennung bis 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>version 1.0 to 2.1 of the format</source>
-        <translation>Version 1.0 bis 2.1 des Formats</translation>
     </message>
     <message>
         <source>the start time is not understood: times count from 0</source>
@@ -5151,6 +5127,46 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>is text in UTF-32: save it in UTF-8</source>
         <translation>ist Text in UTF-32: in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>a quote does not end: close it, or delete the line</source>
+        <translation>ein Anführungszeichen wird nicht geschlossen: schließen Sie es, oder löschen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end: delete the line</source>
+        <translation>ist abgerissen: hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende: löschen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>%1: mend or delete the line</source>
+        <translation>%1: berichtigen oder löschen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2: write a number there</source>
+        <translation>%1 ist keine Zahl: %2: schreiben Sie dort eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not finite: %2: write a finite number there</source>
+        <translation>%1 ist nicht endlich: %2: schreiben Sie dort eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16: save it as UTF-8</source>
+        <translation>ist Text in UTF-16: speichern Sie ihn als UTF-8</translation>
+    </message>
+    <message>
+        <source>zero bytes, as after a power loss, are left out</source>
+        <translation>Null-Bytes wie nach einem Stromausfall sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>zero bytes, as after a power loss, are left out, and the text that they cut</source>
+        <translation>Null-Bytes wie nach einem Stromausfall sind ausgelassen, und der Text, den sie abschneiden</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2: mend or delete the line</source>
+        <translation>erwartet: %1, gefunden: %2: berichtigen oder löschen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>is of version %1 of the format: export it as version 1.0 to 2.1</source>
+        <translation>hat die Version %1 des Formats: exportieren Sie es als Version 1.0 bis 2.1</translation>
     </message>
 </context>
 <context>

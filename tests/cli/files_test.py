@@ -86,6 +86,12 @@ class Overwriting(Scenes):
             with self.subTest(arguments=arguments):
                 self.refused(file, *arguments)
 
+    def test_the_shipped_models_are_inputs_of_what_if(self):
+        for name in (MODEL, MODEL.replace(".ttm", ".ttn")):
+            link = self.path / pathlib.Path(name).name
+            link.symlink_to(name)
+            self.refused(link, "session", "what-if", DEMO, "--out", link)
+
     def test_a_file_is_known_by_any_name(self):
         hard, soft = self.path / "hard.csv", self.path / "soft.csv"
         os.link(self.scenes, hard)

@@ -77,9 +77,20 @@ class Damaged(unittest.TestCase):
 
 
 class Recover(Damaged):
+    def test_refusals_of_damaged_sessions_name_recover(self):
+        cut = self.damaged(lambda data, page: data[:len(data) // 2])
+        hint = "; `terratact session recover` saves what is whole in it"
+        for command in (["info"], ["export", "--out", self.path / "out.csv"], ["scenes", "--out", self.path / "out.csv"],
+                        ["report", "--out", self.path / "out.pdf"], ["strip", "--out", self.path / "out.csv"]):
+            self.assertIn("it is truncated" + hint, complaint("session", command[0], cut, *command[1:]))
+        self.assertEqual(os.listdir(self.path), [cut.name])
+        newer = self.damaged(lambda data, page: data[:60] + bytes([0, 0, 0, 99]) + data[64:])
+        self.assertNotIn("recover", complaint("session", "info", newer))
+
     def test_a_cut_session_yields_what_is_before_the_cut(self):
         said, out = self.recovered(self.damaged(lambda data, page: data[:len(data) * 9 // 10]))
         self.assertIn("it is truncated", said)
+        self.assertNotIn("session recover", said)
         self.assertRegex(said, r"lost +(\d+ batch|estimate)")
         self.assertGreater(frames_in(out), frames_in(self.drive) // 10)
         text = sqlite3.connect(out).execute("SELECT text FROM event WHERE subject = 'recovered'").fetchone()[0]

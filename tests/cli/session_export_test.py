@@ -179,6 +179,21 @@ class OtherPrograms(Session):
                                              "the session continues evenly"))
         self.assertRegex(run("session", "info", out), r"lasts +0.300 s[^$]*gaps +1,")
 
+    def test_a_clock_set_far_forward_makes_an_even_session(self):
+        log, out = self.path / "far.log", self.path / "far.tts"
+        far = "".join(f"({time}) can0 500#01\n" for time in ("1483389464.165", "9100000000.0", "9100000000.1"))
+        log.write_text(far)
+        done = subprocess.run([CLI, "session", "import", log, "--out", out], capture_output=True, text=True, check=True)
+        self.assertIn("line 2: 7616610536 s later than the line before", done.stderr)
+        self.assertRegex(run("session", "info", out), r"begins +2017-01-02 20:37:44\.165 UTC[^$]*lasts +0.100 s")
+        log.write_text("".join(far.splitlines(keepends=True)[2:]))
+        self.assertIn("line 1: begins at 9100000000 s since 1970, expected at most 9000000000 s",
+                      complaint("session", "import", log, "--out", self.path / "none.tts"))
+        log.write_text(" can0  500   [1]  01\n")
+        self.assertIn("line 1: has no time: record with candump -L",
+                      complaint("session", "import", log, "--out", self.path / "none.tts"))
+        self.assertFalse((self.path / "none.tts").exists())
+
     def test_frames_of_can_fd_keep_all_their_bytes(self):
         log, out = self.path / "fd.log", self.path / "fd.tts"
         data = bytes(range(64)).hex().upper()

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/store/content_kind.h"
 #include "core/store/file_read.h"
 #include "core/wire/dbc/dbc_messages.h"
 #include "core/wire/dbc/dbc_scanner.h"
@@ -297,6 +298,8 @@ std::string withLineFeeds(std::string_view text)
 
 Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
 {
+    if (contentKind(content.substr(0, kContentHead)) == ContentKind::Utf16)
+        return fileError(path, TR_NOOP("core", "is text in UTF-16: save it as UTF-8"));
     if (content.find('\0') != std::string_view::npos)
         return fileError(path, TR_NOOP("core", "is no text in UTF-8 or Windows code page 1252: "
                                                "expected a DBC file; save it anew as such"));

@@ -152,7 +152,8 @@ std::uint64_t DbcScanner::whole(SourceText what, std::uint64_t most)
     const auto [rest, error] =
         std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
     at_ = static_cast<std::size_t>(rest - text_.data());
-    if (error == std::errc{} && value <= most) return value;
+    const bool isHexadecimal = value == 0 && at_ < text_.size() && (text_[at_] | 0x20) == 'x';
+    if (error == std::errc{} && value <= most && !isHexadecimal) return value;
     at_ = begin;
     fail(Message(TR_NOOP("core", "%1, a whole number of at most %2"), what, most));
     return 0;

@@ -88,6 +88,20 @@ TEST(Shown, putsUntrustedTextOnOneShortLine)
     EXPECT_EQ(shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "…'");
 }
 
+TEST(Shown, keepsLettersOfUtf8)
+{
+    EXPECT_EQ(shown("Wärme: běží"), "'Wärme: běží'");
+    EXPECT_EQ(shown("W\xE4rme\t"), "'W?rme<tab>'") << "Windows code page 1252";
+    EXPECT_EQ(shown("\xE2\x80\xAE"
+                    "a\xC4"),
+              "'?a?'")
+        << "a mark of direction, half a letter";
+    std::string forty;
+    for (int i = 0; i < 40; ++i) forty += "ř";  // two bytes each
+    EXPECT_EQ(shown(forty), "'" + forty + "'");
+    EXPECT_EQ(shown(forty + "x"), "'" + forty + "…'");
+}
+
 TEST(Text, aNameIsAtMostHundredPlainCharacters)
 {
     for (const std::string& good : {std::string("Absolem"), std::string("č"),

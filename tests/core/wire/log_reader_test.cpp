@@ -87,6 +87,59 @@ TEST(Logs, ofEndlessZerosAreRefused)
               std::string::npos);
 }
 
+TEST(Logs, zeroBytesWithinLoseOnlyWhatTheyCut)
+{
+    for (const std::size_t count : {1U, 500U, 4096U, 200'000U}) {
+        const std::string zeros(count, '\0'), third = "(1000.300000) can0 501#AA\n";
+        Log log = read(kTwo + "(1000.200000) can0 50" + zeros + third);
+        EXPECT_EQ(log.error, "");
+        ASSERT_EQ(log.frames.size(), 3U) << count;
+        EXPECT_EQ(log.frames[2].frame, data(0x501, {0xAA}));
+        ASSERT_EQ(log.remarks.size(), 1U);
+        EXPECT_EQ(log.remarks[0], "a.log: line 3: zero bytes, as after a power loss, are left out, "
+                                  "and the text that they cut");
+        log = read(kTwo + zeros + third + third);
+        EXPECT_EQ(log.frames.size(), 4U) << log.error;
+        ASSERT_EQ(log.remarks.size(), 1U);
+        EXPECT_TRUE(log.remarks[0].ends_with("are left out")) << log.remarks[0];
+        log = read(kTwo + "(1000.2000" + zeros);
+        EXPECT_EQ(log.frames.size(), 2U) << log.error;
+        EXPECT_TRUE(log.isTorn);
+    }
+    std::string many = kTwo;
+    for (int i = 0; i < 5000; ++i) many += std::string("a\0", 2);
+    const Log log = read(many + "\n" + kTwo);
+    EXPECT_EQ(log.frames.size(), 4U) << log.error;
+    EXPECT_LE(log.remarks.size(), 101U) << "100 of them, and the clock set back";
+}
+
+TEST(Logs, aWrongLineIsRefusedWithWhatToDo)
+{
+    const Log log = read(kTwo + "(1000.200000) can0 5Ä0#00\n" + kTwo);
+    EXPECT_EQ(log.frames.size(), 2U);
+    EXPECT_EQ(log.error,
+              "a.log: line 3: expected an identifier of 3 or 8 hexadecimal digits, found "
+              "'5Ä0': mend or delete the line");
+    EXPECT_EQ(read(";$FILEVERSION=3.0\n").error,
+              "a.log: line 1: is of version '3.0' of the format: export it as version 1.0 to 2.1");
+}
+
+TEST(Logs, mayHaveDecimalCommasOfADesktop)
+{
+    std::string asc = kAsc;
+    for (const std::string_view time : {"0.1000", "0.2000", "0.3000"})
+        asc[asc.find(time) + 1] = ',';
+    EXPECT_EQ(read(asc).elapsed, read(kAsc).elapsed) << read(asc).error;
+    const Log gvret = read("Time Stamp;ID;Extended;Dir;Bus;LEN;D1\n"
+                           "166,5;500;false;Rx;0;1;DD\n167,25;500;false;Rx;0;1;DE\n");
+    ASSERT_EQ(gvret.frames.size(), 2U) << gvret.error;
+    EXPECT_NEAR(gvret.elapsed[1], 0.75, 1e-9);
+    EXPECT_NE(read("Time Stamp;ID;Extended;Dir;Bus;LEN;D1\n1.166,5;500;false;Rx;0;1;DD\n")
+                  .error.find("expected a time"),
+              std::string::npos)
+        << "a mark between thousands";
+}
+
 TEST(Logs, mayBePackedByGzip)
 {
     std::string many;

@@ -244,6 +244,7 @@ TEST(DbcFiles, loseOnlyTheFaultyLine)
     };
     const std::vector<Case> cases{
         {s + "60|8@1+ (1,0) [0|0] \"\" B\n", {"S is left out", "message M", "bit 68 of 64"}},
+        {s + "0x8|8@1+ (1,0) [0|0] \"\" B\n", {"a whole number", "'0x8|8@1+"}},
         {s + "0|0@1+ (1,0) [0|0] \"\" B\n", {"0 bits", "1 to 64"}},
         {s + "0|65@1+ (1,0) [0|0] \"\" B\n", {"65 bits", "1 to 64"}},
         {s + "0|8@2+ (1,0) [0|0] \"\" B\n", {"byte order", "'2+'"}},
@@ -322,6 +323,10 @@ TEST(DbcFiles, withoutAMessageAreRefusedWithTheFirstCause)
         {"VERSION \"\"\n", {"no message", "is it a DBC file?"}},
         {"", {"no message"}},
         {std::string("BO_\0", 4), {"no text", "save it anew"}},
+        {std::string("\xFF\xFE"
+                     "B\0O\0_\0 \0",
+                     10),
+         {"is text in UTF-16: save it as UTF-8"}},
     };
     for (const Case& c : cases) {
         const Result<DbcFile> file = parsed(c.text);
