@@ -2,11 +2,13 @@
 
 #include <QPainter>
 #include <QStyleFactory>
+#include <QStyleOptionComboBox>
 #include <QStyleOptionMenuItem>
 #include <QStyleOptionSpinBox>
 #include <algorithm>
 
 #include "widgets/base/palette.h"
+#include "widgets/base/style_sheet.h"
 #include "widgets/base/theme.h"
 
 namespace terratact {
@@ -25,6 +27,59 @@ void drawFrame(QPainter& painter, const QRect& around)
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(around.adjusted(0, 0, -1, -1));
     painter.restore();
+}
+
+/// Returns the colour of a part that can be pressed.
+QColor areaOf(const Fill& fill, bool isUnder, bool isDown)
+{
+    if (isDown) return mixed(fill.area, QColor(Qt::black), 0.3);
+    return isUnder ? mixed(fill.area, fill.text, 0.1) : fill.area;
+}
+
+/// Draws the box of a list to choose from like a button, with an arrow.
+void drawChoice(const QStyle& style, const QStyleOptionComboBox& box, const QRect& arrow,
+                QPainter& painter, const QWidget* widget)
+{
+    constexpr double kRadius = 5.0;  // [px] as buttons in theme.qss
+    const bool isOn = box.state & QStyle::State_Enabled;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(isOn ? theme().buttonBorder : theme().offBorder);
+    painter.setBrush(isOn ? areaOf(theme().button, box.state & QStyle::State_MouseOver,
+                                   box.state & (QStyle::State_Sunken | QStyle::State_On))
+                          : theme().off.area);
+    painter.drawRoundedRect(QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+    painter.restore();
+    QStyleOption mark(box);
+    mark.rect = arrow;
+    style.drawPrimitive(QStyle::PE_IndicatorArrowDown, &mark, &painter, widget);
+}
+
+/// Draws an arrow of a number box as a button of its own.
+void drawStep(const QStyle& style, const QStyleOptionSpinBox& box, QStyle::SubControl part,
+              QPainter& painter, const QWidget* widget)
+{
+    const bool isUp = part == QStyle::SC_SpinBoxUp;
+    const bool isActive = box.activeSubControls == part;
+    const bool isOn =
+        (box.state & QStyle::State_Enabled)
+        && (box.stepEnabled
+            & (isUp ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
+    const QRect around = style.subControlRect(QStyle::CC_SpinBox, &box, part, widget);
+    const QColor area =
+        isOn ? areaOf(theme().button, isActive && (box.state & QStyle::State_MouseOver),
+                      isActive && (box.state & QStyle::State_Sunken))
+             : theme().off.area;
+    painter.save();
+    painter.fillRect(around, area);
+    painter.setPen(theme().muted);
+    painter.drawRect(around.adjusted(0, 0, -1, -1));
+    painter.restore();
+    QStyleOption mark(box);
+    mark.rect = around;
+    mark.state.setFlag(QStyle::State_Enabled, isOn);
+    style.drawPrimitive(isUp ? QStyle::PE_IndicatorArrowUp : QStyle::PE_IndicatorArrowDown, &mark,
+                        &painter, widget);
 }
 
 bool hasArrows(const QStyleOption* option)
@@ -62,7 +117,16 @@ QRect TargetStyle::subControlRect(ComplexControl control, const QStyleOptionComp
 void TargetStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                      QPainter* painter, const QWidget* widget) const
 {
+    const auto* choice = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (control == CC_ComboBox && choice && !choice->editable) {
+        const QRect arrow = subControlRect(control, option, SC_ComboBoxArrow, widget);
+        return drawChoice(*proxy(), *choice, arrow, *painter, widget);
+    }
     QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (control == CC_SpinBox && hasArrows(option))
+        for (const SubControl part : {SC_SpinBoxDown, SC_SpinBoxUp})
+            drawStep(*proxy(), *qstyleoption_cast<const QStyleOptionSpinBox*>(option), part,
+                     *painter, widget);
     if (control == CC_SpinBox || control == CC_ComboBox) drawFrame(*painter, option->rect);
 }
 

@@ -12,7 +12,8 @@ public:
 
     QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
                          const QWidget* widget) const override;
-    /// Draws a frame around a number box that is as visible as that of a line of text.
+    /// Draws a number box with the frame of a line of text and its arrows as two buttons. Draws a list to choose from
+    /// like a button.
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override;
     /// Draws a frame around the box of a check box, which is visible without a check too.
