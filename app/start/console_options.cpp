@@ -80,6 +80,10 @@ void declareLook(CLI::App& app, ConsoleOptions& options)
         ->check(CLI::Range(kSmallestFont, kLargestFont));
     app.add_option("--language", options.language, "en, cs or de (default: the system's)")
         ->check(CLI::IsMember({"en", "cs", "de"}));
+    app.add_option("--length-unit", options.lengthUnit, "Unit of lengths: m or cm")
+        ->check(CLI::IsMember({"m", "cm"}));
+    app.add_option("--angle-unit", options.angleUnit, "Unit of angles: deg or rad")
+        ->check(CLI::IsMember({"deg", "rad"}));
 }
 
 }  // namespace
@@ -98,7 +102,7 @@ void declareOptions(CLI::App& app, ConsoleOptions& options)
     app.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
     app.add_option("--screenshot", options.screenshot,
                    "Drive to a step (or 15 s), estimate the terrain, save the window as PNG, and "
-                   "exit; of a session: as it is at --at")
+                   "exit; of a session: as it is at --at. It reads no preferences")
         ->excludes("--can");
     declareLook(app, options);
     app.add_flag("--safe-mode", options.safeMode,

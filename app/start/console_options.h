@@ -28,6 +28,7 @@ struct ConsoleOptions {
     std::uint64_t seed = 1;
     std::string screenshot;               ///< picture file
     std::string theme, layout, language;  ///< names as in app/shell/preferences.h
+    std::string lengthUnit, angleUnit;    ///< names as in app/display/units.h
     int fontScale = 0;                    ///< [%] 0: as preferred
     bool safeMode = false;
     std::string sessions;  ///< folder of the sessions

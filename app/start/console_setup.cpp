@@ -18,6 +18,10 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options)
         if (name(theme) == options.theme) preferences.theme = theme;
     for (const Layout layout : {Layout::Drive, Layout::Probe, Layout::Review})
         if (name(layout) == options.layout) preferences.layout = layout;
+    for (const LengthUnit unit : {LengthUnit::Metre, LengthUnit::Centimetre})
+        if (name(unit) == options.lengthUnit) preferences.units.length = unit;
+    for (const AngleUnit unit : {AngleUnit::Degree, AngleUnit::Radian})
+        if (name(unit) == options.angleUnit) preferences.units.angle = unit;
     if (options.fontScale > 0) preferences.fontScale = options.fontScale;
     if (!options.language.empty()) preferences.language = QString::fromStdString(options.language);
     if (!options.model.empty()) preferences.model = QString::fromStdString(options.model);

@@ -102,6 +102,8 @@ _terratact_value() {
     *:--theme) _terratact_words day night-red high-contrast ;;
     *:--layout) _terratact_words drive probe review ;;
     *:--language) _terratact_words en cs de ;;
+    *:--length-unit) _terratact_words m cm ;;
+    *:--angle-unit) _terratact_words deg rad ;;
     *:--fault) _terratact_faults none silence stuck-imu dead-element refuse-probe slow-arm reboot ;;
     *:--disturb)
       _terratact_faults none imu-noise forces-high forces-low dead-element soft-ground light-robot heavy-robot \
@@ -117,7 +119,7 @@ _terratact_options() {
     --full --seconds --scan --hazard-rate --seed"
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
-      --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
+      --screenshot --size --theme --layout --font-scale --language --length-unit --angle-unit --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
       --drives --spacing --slip --pitch-bias --press-share --gap \
       --cloud --poses --recording --floor-poses --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;

@@ -57,9 +57,11 @@ TEST(ConsoleOptionsTest, onlyARobotOnABusIsCommanded)
 
 TEST(ConsoleOptionsTest, anUnknownLookIsRefused)
 {
-    EXPECT_EQ(refusal("--theme night-red --layout drive --language cs --font-scale 120"), "");
-    for (const char* line :
-         {"--theme pink", "--layout wide", "--language tlh", "--font-scale 1000"})
+    EXPECT_EQ(refusal("--theme night-red --layout drive --language cs --font-scale 120 "
+                      "--length-unit cm --angle-unit rad"),
+              "");
+    for (const char* line : {"--theme pink", "--layout wide", "--language tlh", "--font-scale 1000",
+                             "--length-unit mm", "--angle-unit grad"})
         EXPECT_NE(refusal(line), "") << line;
 }
 
