@@ -32,7 +32,7 @@ Status exportStrip(const SessionStripOptions& options)
         return Error{fmt::format("{}: has {} sections, expected --section 1 to {}", options.file,
                                  sections, sections)};
     const std::string title =
-        "Strip of felt ground of " + std::filesystem::path(options.file).filename().string();
+        stripTitle(std::filesystem::path(options.file).filename().string()).english();
     if (Status written = writeStrip(options.out, strip, *robot, title, options.section); !written)
         return written;
     printText(messagesBeside(options.out), "{} m of ground, sections: {}; written to {}\n",

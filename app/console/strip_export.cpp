@@ -46,8 +46,9 @@ void StripExport::write(const QString& path)
     thread_ =
         std::jthread([this, file, robot = robot_,
                       strip = std::make_shared<const Strip>(exploration_.estimation().strip())] {
-            const Status done = writeStrip(file.toStdString(), strip, robot,
-                                           "Strip of felt ground of a running drive");
+            const Status done =
+                writeStrip(file.toStdString(), strip, robot, inReadersLanguage(stripTitle({})), {},
+                           inReadersLanguage);
             const QString trouble = done ? QString() : translated(done.error().message);
             QMetaObject::invokeMethod(
                 this, [this, file, trouble] { finish(file, trouble); }, Qt::QueuedConnection);

@@ -91,7 +91,8 @@ void convert(QString& sentence, std::vector<std::string>& arguments)
         }
 }
 
-std::string inLanguage(const Message& message)
+/// Returns the message in the operator's language, in these units.
+std::string inLanguage(const Message& message, const Units& shown)
 {
     std::string source =
         message.context.empty()
@@ -101,8 +102,8 @@ std::string inLanguage(const Message& message)
     if (message.arguments.empty()) return source;
     std::vector<std::string> arguments;
     arguments.reserve(message.arguments.size());
-    for (const Message& argument : message.arguments) arguments.push_back(inLanguage(argument));
-    if (units() != Units{}) {
+    for (const Message& argument : message.arguments) arguments.push_back(inLanguage(argument, shown));
+    if (shown != Units{}) {
         QString sentence = QString::fromStdString(source);
         convert(sentence, arguments);
         source = sentence.toStdString();
@@ -116,12 +117,17 @@ std::string inLanguage(const Message& message)
 
 QString translated(const Message& message)
 {
-    return format::text(inLanguage(message));
+    return format::text(inLanguage(message, units()));
 }
 
 QString translatedLine(const Message& message)
 {
     return translated(message).replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+std::string inReadersLanguage(const Message& message)
+{
+    return format::text(inLanguage(message, Units{})).toStdString();
 }
 
 Message verbatim(const QString& text)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "core/base/message.h"
 
@@ -12,6 +13,10 @@ QString translated(const Message& message);
 
 /// Returns translated() on one line: line ends become spaces.
 QString translatedLine(const Message& message);
+
+/// Returns a message in the operator's language for reports and pictures (app/figures/wording.h). Units are metres and
+/// degrees, as in every file. Control characters become '?'. Any thread.
+std::string inReadersLanguage(const Message& message);
 
 /// Returns a message of a text that is the same in every language, such as a number of format.h.
 Message verbatim(const QString& text);

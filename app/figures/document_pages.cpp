@@ -1,7 +1,5 @@
 #include "app/figures/document_pages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -46,22 +44,23 @@ public:
     }
 
     /// Returns the pages with a footer.
-    std::vector<PageDrawing> finish(const std::string& title) const
+    std::vector<PageDrawing> finish(const ReportDocument& document) const
     {
         std::vector<PageDrawing> pages;
         pages.reserve(pages_.size());
         for (std::size_t k = 0; k < pages_.size(); ++k)
-            pages.emplace_back([drawings = pages_[k], title = printable(title), k,
-                                count = pages_.size()](Canvas& canvas) {
-                for (const PageDrawing& draw : drawings) draw(canvas);
-                const TextStyle left{.colour = kFigureMuted, .size = 14.0};
-                TextStyle right = left;
-                right.align = Align::Right;
-                canvas.text({kBorder, kPaperHeight - 46.0},
-                            canvas.fitted(title, kSheetWidth - 160.0, left), left);
-                canvas.text({kPaperWidth - kBorder, kPaperHeight - 46.0},
-                            fmt::format("page {} of {}", k + 1, count), right);
-            });
+            pages.emplace_back(
+                [drawings = pages_[k], title = printable(document.title),
+                 number = printable(document.say(
+                     {TR_NOOP("Report", "page %1 of %2"), k + 1, pages_.size()}))](Canvas& canvas) {
+                    for (const PageDrawing& draw : drawings) draw(canvas);
+                    const TextStyle left{.colour = kFigureMuted, .size = 14.0};
+                    TextStyle right = left;
+                    right.align = Align::Right;
+                    canvas.text({kBorder, kPaperHeight - 46.0},
+                                canvas.fitted(title, kSheetWidth - 160.0, left), left);
+                    canvas.text({kPaperWidth - kBorder, kPaperHeight - 46.0}, number, right);
+                });
         return pages;
     }
 
@@ -195,7 +194,7 @@ std::vector<PageDrawing> pagesOf(Canvas& measuring, const ReportDocument& docume
     flow.write(document.title, {.colour = kFigureText, .size = 30.0, .bold = true}, 40.0);
     flow.write(document.summary, {.colour = kFigureText, .size = 19.0, .bold = true}, 28.0);
     for (const DocumentPart& part : document.parts) flow.add(part);
-    return flow.finish(document.title);
+    return flow.finish(document);
 }
 
 }  // namespace terratact

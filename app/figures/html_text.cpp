@@ -21,10 +21,10 @@ std::string htmlText(std::string_view text)
     return html;
 }
 
-std::string htmlHead(std::string_view title, std::string_view style)
+std::string htmlHead(std::string_view title, const Wording& say, std::string_view style)
 {
     return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\">"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
         "'unsafe-inline'; img-src data:\">"
         "<title>{}</title>\n"
@@ -34,7 +34,7 @@ std::string htmlHead(std::string_view title, std::string_view style)
         "td,th{{text-align:right;padding:.2em .6em;border-bottom:1px solid #cfd8e1}}"
         "dt{{font-weight:bold;color:#4a5866}}dd{{margin:0 0 .4em "
         "1em;overflow-wrap:anywhere}}{}</style></head>\n",
-        htmlText(title), style);
+        htmlText(say(TR_NOOP("Report", "en"))), htmlText(title), style);
 }
 
 std::string htmlPicture(int width, int height, const std::function<void(Canvas&)>& draw,

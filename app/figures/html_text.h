@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/figures/wording.h"
+
 namespace terratact {
 
 class Canvas;
@@ -12,8 +14,9 @@ class Canvas;
 std::string htmlText(std::string_view text);
 
 /// Returns the head of a page without scripts and without links to other files, up to its <body>. style: CSS that is
-/// added to the common style.
-std::string htmlHead(std::string_view title, std::string_view style = {});
+/// added to the common style. say: whose language the page names.
+std::string htmlHead(std::string_view title, const Wording& say = inEnglish,
+                     std::string_view style = {});
 
 /// Returns a picture as SVG inside a page. prefix: unique in the page, because each picture counts its glyphs from 0.
 std::string htmlPicture(int width, int height, const std::function<void(Canvas&)>& draw,

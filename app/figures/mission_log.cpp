@@ -1,13 +1,12 @@
 #include "app/figures/mission_log.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/figures/report_text.h"
 #include "app/recording/recorded_sides.h"
@@ -26,7 +25,7 @@ namespace {
 struct MissionLine {
     SessionTime time = 0;
     int order = 0;
-    std::string what, numbers;
+    Message what, numbers;
 };
 
 /// Returns the time of day, UTC, without the date.
@@ -36,32 +35,45 @@ std::string clockText(const SessionStart& start, SessionTime time)
     return text.substr(11, 12);
 }
 
-std::string sideText(ProbeSide side)
+/// Adds the error of each side whose truth was recorded.
+void addErrors(std::vector<Message>& parts, const EstimateRow& row, const SceneRow* scene)
 {
-    return side == ProbeSide::Middle ? "" : fmt::format(" {}", name(side));
-}
-
-std::string errorText(const EstimateRow& row, const SceneRow* scene)
-{
-    std::string text;
     for (const RecordedSide& side : recordedSides(row.estimate.onePlane, scene)) {
         if (!side.truth) continue;
         const EstimateError error = errorAgainst(row.estimate.side.at(side.index), *side.truth);
-        text += fmt::format("; {}error against the truth: {:.3f} m rms, {:.3f} m at {:+.1f} m, "
-                            "{} of {} bins in their band",
-                            row.estimate.onePlane ? "" : fmt::format("{} ", side.name), error.rms,
-                            error.largest, binCentre(error.bin), error.inBand, kBins);
+        Message text{TR_NOOP("Report", "error against the truth: %1 m rms, %2 m at %3 m, %4 of %5 "
+                                       "bins in their band"),
+                     fixed(error.rms, 3),
+                     fixed(error.largest, 3),
+                     signedFixed(binCentre(error.bin), 1),
+                     error.inBand,
+                     kBins};
+        parts.push_back(row.estimate.onePlane
+                            ? std::move(text)
+                            : Message::joined(tableWord(side.name), std::move(text)));
     }
-    return text;
 }
 
-std::string verdictText(const TwoTrackVerdict& verdict, double limit)
+Message verdictText(const TwoTrackVerdict& verdict, double limit)
 {
     if (verdict.onePlane) return stepText(verdict.side[0], limit);
-    return fmt::format("{}. Left: {}. Right: {}. Either side: {:.0f} %. Cross slope: {}",
-                       describe(verdict), stepText(verdict.side[0], limit),
-                       stepText(verdict.side[1], limit), 100.0 * verdict.either.p,
-                       crossSlopeText(verdict.crossSlope));
+    return {TR_NOOP("Report", "%1. Left: %2. Right: %3. Either side: %4 %. Cross slope: %5"),
+            messageOf(verdict),
+            stepText(verdict.side[0], limit),
+            stepText(verdict.side[1], limit),
+            fixed(100.0 * verdict.either.p, 0),
+            crossSlopeText(verdict.crossSlope)};
+}
+
+Message estimateName(const EstimateRow& row)
+{
+    const SourceText text =
+        row.role == EstimateRole::Second
+            ? TR_NOOP("Report", "estimate %1 of scene %2 (second method)")
+        : row.role == EstimateRole::Again
+            ? TR_NOOP("Report", "estimate %1 of scene %2 (with the reading of the arm)")
+            : TR_NOOP("Report", "estimate %1 of scene %2");
+    return {text, row.id, row.scene};
 }
 
 /// Returns the line of an estimate, with the verdict that the console showed when it was ready.
@@ -73,7 +85,7 @@ Result<MissionLine> lineOf(SessionReader& session, const EstimateRow& recorded,
     if (!full) return full.error();
     row.estimate = std::move(*full);
     const SceneRow* const scene = session.scene(row.scene);
-    std::string verdict = "no verdict: its scene is damaged";
+    Message verdict = TR_NOOP("Report", "no verdict: its scene is damaged");
     if (scene) {
         const ReviewMoment moment = moments.at(row.time);
         verdict = verdictText(
@@ -82,58 +94,93 @@ Result<MissionLine> lineOf(SessionReader& session, const EstimateRow& recorded,
                       row.stepLimit),
             row.stepLimit);
     }
-    const Settings& settings = row.estimate.side[0].settings;
-    const char* const role = row.role == EstimateRole::Second ? " (second method)"
-                           : row.role == EstimateRole::Again  ? " (with the reading of the arm)"
-                                                              : "";
-    return MissionLine{
-        row.time, 0, fmt::format("estimate {} of scene {}{}", row.id, row.scene, role),
-        fmt::format("{}; method {}, {:.3f} s; arm: {}{}", verdict, name(settings.method),
-                    row.seconds, readingsText(row), errorText(row, scene))};
+    std::vector<Message> parts{std::move(verdict),
+                               {TR_NOOP("Report", "method %1, %2 s"),
+                                name(row.estimate.side[0].settings.method), fixed(row.seconds, 3)},
+                               {TR_NOOP("Report", "arm: %1"), readingsText(row)}};
+    addErrors(parts, row, scene);
+    return MissionLine{row.time, 0, estimateName(row), Message::listed(std::move(parts), "; ")};
 }
 
 /// Returns bits of information, which rounding may have left just below zero: "-0.00" would be printed.
-double positiveBits(double value)
+std::string bitsText(double value)
 {
-    return std::max(0.0, value);
+    return fixed(std::max(0.0, value), 2);
+}
+
+Message binName(const ProposalRow& row)
+{
+    const SourceText text = row.side == ProbeSide::Left  ? TR_NOOP("Report", "bin %1 m left")
+                          : row.side == ProbeSide::Right ? TR_NOOP("Report", "bin %1 m right")
+                                                         : TR_NOOP("Report", "bin %1 m");
+    return {text, signedFixed(binCentre(row.bin), 1)};
 }
 
 MissionLine lineOf(const ProposalRow& row)
 {
-    std::string text =
-        fmt::format("bin {:+.1f} m{}: height {:+.3f} m, {:+.3f} … {:+.3f} m, sd {:.3f} m above the "
-                    "threshold {:.3f} m; arm sd {:.3f} m; takes {:.0f} s; step above {:.2f} m: "
-                    "{:.2f} bit open",
-                    binCentre(row.bin), sideText(row.side), row.height, row.q10, row.q90, row.sd,
-                    row.limit, row.armSd, row.seconds, row.stepLimit, positiveBits(row.bitsBefore));
-    if (!row.offers.empty() && row.offers[0].bin == row.bin && row.offers[0].side == row.side)
-        text += fmt::format(", {:.2f} bit after it", positiveBits(row.offers[0].bitsAfter));
-    return {row.time, 1, fmt::format("probe proposed on estimate {}", row.estimate), text};
+    const bool isKnownAfter =
+        !row.offers.empty() && row.offers[0].bin == row.bin && row.offers[0].side == row.side;
+    const std::string limit = fixed(row.stepLimit, 2), before = bitsText(row.bitsBefore);
+    std::vector<Message> parts{
+        {TR_NOOP("Report", "%1: height %2 m, %3 m … %4 m, sd %5 m above the threshold %6 m"),
+         binName(row), signedFixed(row.height, 3), signedFixed(row.q10, 3), signedFixed(row.q90, 3),
+         fixed(row.sd, 3), fixed(row.limit, 3)},
+        {TR_NOOP("Report", "arm sd %1 m"), fixed(row.armSd, 3)},
+        {TR_NOOP("Report", "takes %1 s"), fixed(row.seconds, 0)},
+        isKnownAfter ? Message(TR_NOOP("Report", "step above %1 m: %2 bit open, %3 bit after it"),
+                               limit, before, bitsText(row.offers[0].bitsAfter))
+                     : Message(TR_NOOP("Report", "step above %1 m: %2 bit open"), limit, before)};
+    return {row.time,
+            1,
+            {TR_NOOP("Report", "probe proposed on estimate %1"), row.estimate},
+            Message::listed(std::move(parts), "; ")};
 }
 
-std::string kindText(EventKind kind)
+SourceText kindText(EventKind kind)
 {
     switch (kind) {
-    case EventKind::Decision: return "operator";
-    case EventKind::Phase: return "exploration";
-    case EventKind::Marker: return "marker";
-    default: return std::string(name(kind));
+    case EventKind::Word: return TR_NOOP("Report", "message");
+    case EventKind::Decision: return TR_NOOP("Report", "operator");
+    case EventKind::Phase: return TR_NOOP("Report", "exploration");
+    case EventKind::Arming: return TR_NOOP("Report", "arming");
+    case EventKind::Link: return TR_NOOP("Report", "link");
+    case EventKind::Forgotten: return TR_NOOP("Report", "estimate void");
+    case EventKind::TelemetryGap: return TR_NOOP("Report", "telemetry gap");
+    case EventKind::Override: return TR_NOOP("Report", "override");
+    case EventKind::Alarm: return TR_NOOP("Report", "alarm");
+    case EventKind::Panel: return TR_NOOP("Report", "panel");
+    case EventKind::Marker: return TR_NOOP("Report", "marker");
+    case EventKind::Gap: return TR_NOOP("Report", "gap");
+    case EventKind::Session: return TR_NOOP("Report", "session");
     }
+    return {};
+}
+
+/// Returns what the number of an event means; empty: it has none, or its text holds it.
+Message numberMessage(const EventRow& event)
+{
+    if (!event.number || event.kind == EventKind::Alarm) return {};
+    if (event.kind == EventKind::Panel)
+        return *event.number > 0.0 ? TR_NOOP("Report", "contact closed")
+                                   : TR_NOOP("Report", "contact open");
+    if (event.kind == EventKind::Link)
+        return {TR_NOOP("Report", "longest gap %1 s"), fixed(*event.number, 2)};
+    return Message::verbatim(fixed(*event.number, 3));
 }
 
 MissionLine lineOf(const EventRow& event)
 {
-    const std::string subject = subjectWords(event);
-    std::string numbers = textWords(event);
-    const auto add = [&numbers](const std::string& text) {
-        numbers += (numbers.empty() ? "" : "; ") + text;
-    };
-    if (event.number && event.kind != EventKind::Alarm) add(fmt::format("{:.3f}", *event.number));
+    std::vector<Message> numbers;
+    if (Message text = textMessage(event); !text.empty()) numbers.push_back(std::move(text));
+    if (Message number = numberMessage(event); !number.empty())
+        numbers.push_back(std::move(number));
     if (event.kind == EventKind::Decision && event.proposal != 0)
-        add(fmt::format("proposal {}", event.proposal));
-    if (!event.shown.empty()) add("on the screen: " + event.shown);
-    return {event.time, 2,
-            kindText(event.kind) + (subject.empty() ? "" : fmt::format(": {}", subject)), numbers};
+        numbers.emplace_back(TR_NOOP("Report", "proposal %1"), event.proposal);
+    if (!event.shown.empty())
+        numbers.emplace_back(TR_NOOP("Report", "on the screen: %1"), screenOf(event));
+    Message what = kindText(event.kind);
+    if (!event.subject.empty()) what = Message::joined(std::move(what), subjectMessage(event));
+    return {event.time, 2, std::move(what), Message::listed(std::move(numbers), "; ")};
 }
 
 /// Returns the lines in the order of time; of the estimates the first maxRows alone, because only those can be shown.
@@ -161,16 +208,17 @@ Result<std::vector<MissionLine>> linesOf(SessionReader& session, const RobotMode
 }
 
 /// Returns a row for what does not fit.
-std::vector<std::string> restRow(std::size_t rest, std::size_t columns)
+std::vector<std::string> restRow(std::size_t rest, std::size_t columns, const Wording& say)
 {
     std::vector<std::string> row(columns);
-    row.back() = fmt::format("… and {} more in the session", rest);
+    row.back() = say({TR_NOOP("Report", "… and %1 more in the session"), rest});
     return row;
 }
 
 /// One raise of an alarm; a time is empty if it was not recorded.
 struct AlarmSpan {
-    std::string id, text;
+    std::string id;
+    Message text;
     std::optional<SessionTime> raised, acknowledged, gone;
 };
 
@@ -185,7 +233,7 @@ std::vector<AlarmSpan> alarmsOf(const SessionReader& session)
         if (known == open.end() && state == 0.0) continue;
         const std::size_t index = known == open.end() ? spans.size() : known->second;
         if (known == open.end()) {
-            spans.push_back({event.subject, textWords(event), {}, {}, {}});
+            spans.push_back({event.subject, messageOf(event), {}, {}, {}});
             open[event.subject] = index;
         }
         AlarmSpan& span = spans[index];
@@ -204,71 +252,89 @@ std::vector<AlarmSpan> alarmsOf(const SessionReader& session)
 
 Result<DocumentPart> missionDecisions(SessionReader& session, const RobotModel& robot,
                                       const std::function<bool(double)>& progress,
-                                      std::size_t maxRows)
+                                      std::size_t maxRows, const Wording& say)
 {
     auto lines = linesOf(session, robot, progress, maxRows);
     if (!lines) return lines.error();
     const std::size_t estimates = session.estimates().size();
     const std::size_t all = lines->size() + estimates - std::min(estimates, maxRows);
-    DocumentPart part{
-        .heading = "Decisions and their numbers",
-        .note = lines->empty() ? "Nothing was estimated and nobody decided anything." : "",
-        .facts = {},
-        .pictures = {},
-        .table = {{"UTC", "since start", "what", "numbers"}, {1.4, 1.2, 2.5, 6.9}, {}}};
+    DocumentPart part{.heading = say(TR_NOOP("Report", "Decisions and their numbers")),
+                      .note = lines->empty() ? say(TR_NOOP(
+                                  "Report", "Nothing was estimated and nobody decided anything."))
+                                             : "",
+                      .facts = {},
+                      .pictures = {},
+                      .table = {{"UTC", say(TR_NOOP("Report", "since start")),
+                                 say(TR_NOOP("Report", "what")), say(TR_NOOP("Report", "numbers"))},
+                                {1.4, 1.2, 2.5, 6.9},
+                                {}}};
     lines->resize(std::min(lines->size(), maxRows));
     part.table.rows.reserve(lines->size() + 1);
-    for (MissionLine& line : *lines)
+    for (const MissionLine& line : *lines)
         part.table.rows.push_back({clockText(session.start(), line.time), momentText(line.time),
-                                   std::move(line.what), std::move(line.numbers)});
-    if (all > maxRows) part.table.rows.push_back(restRow(all - maxRows, 4));
+                                   say(line.what), say(line.numbers)});
+    if (all > maxRows) part.table.rows.push_back(restRow(all - maxRows, 4, say));
     return part;
 }
 
-DocumentPart missionAlarms(const SessionReader& session)
+DocumentPart missionAlarms(const SessionReader& session, const Wording& say)
 {
     const std::vector<AlarmSpan> spans = alarmsOf(session);
-    DocumentPart part{.heading = "Alarms",
-                      .note = spans.empty() ? "No alarm was raised." : "",
-                      .facts = {},
-                      .pictures = {},
-                      .table = {{"alarm", "raised", "acknowledged", "cause gone", "text"},
-                                {1.5, 1.4, 1.6, 1.6, 5.9},
-                                {}}};
+    const auto moment = [&](const std::optional<SessionTime>& time, SourceText otherwise) {
+        return time ? momentText(*time) : say(otherwise);
+    };
+    DocumentPart part{
+        .heading = say(TR_NOOP("Report", "Alarms")),
+        .note = spans.empty() ? say(TR_NOOP("Report", "No alarm was raised.")) : "",
+        .facts = {},
+        .pictures = {},
+        .table = {{say(TR_NOOP("Report", "alarm")), say(TR_NOOP("Report", "raised")),
+                   say(TR_NOOP("Report", "acknowledged")), say(TR_NOOP("Report", "cause gone")),
+                   say(TR_NOOP("Report", "text"))},
+                  {1.5, 1.4, 1.6, 1.6, 5.9},
+                  {}}};
     for (std::size_t k = 0; k < std::min(spans.size(), kMaxReportRows); ++k)
-        part.table.rows.push_back(
-            {spans[k].id, spans[k].raised ? momentText(*spans[k].raised) : "before the session",
-             spans[k].acknowledged ? momentText(*spans[k].acknowledged) : "no",
-             spans[k].gone ? momentText(*spans[k].gone) : "no", spans[k].text});
+        part.table.rows.push_back({say(eventName(spans[k].id)),
+                                   moment(spans[k].raised, TR_NOOP("Report", "before the session")),
+                                   moment(spans[k].acknowledged, TR_NOOP("Report", "no")),
+                                   moment(spans[k].gone, TR_NOOP("Report", "no")),
+                                   say(spans[k].text)});
     if (spans.size() > kMaxReportRows)
-        part.table.rows.push_back(restRow(spans.size() - kMaxReportRows, 5));
+        part.table.rows.push_back(restRow(spans.size() - kMaxReportRows, 5, say));
     return part;
 }
 
-DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows)
+DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows, const Wording& say)
 {
-    DocumentPart part{.heading = "Settings in force",
-                      .note = "Settings of the estimates, from each change on. Other settings are "
-                              "recorded as decisions.",
-                      .facts = {},
-                      .pictures = {},
-                      .table = {{"from", "estimate", "settings"}, {1.3, 1.7, 9.0}, {}}};
+    DocumentPart part{
+        .heading = say(TR_NOOP("Report", "Settings in force")),
+        .note = say(TR_NOOP("Report", "Settings of the estimates, from each change on. Other "
+                                      "settings are recorded as decisions.")),
+        .facts = {},
+        .pictures = {},
+        .table = {{say(TR_NOOP("Report", "from")), say(TR_NOOP("Report", "estimate")),
+                   say(TR_NOOP("Report", "settings"))},
+                  {1.3, 1.7, 9.0},
+                  {}}};
     std::map<bool, std::string> last;
     std::size_t rest = 0;
     for (const EstimateRow& row : session.estimates()) {
         const bool isSecond = row.role == EstimateRole::Second;
-        const std::string text = fmt::format(
-            "{}, step limit {} m", settingsText(row.estimate.side[0].settings), row.stepLimit);
+        const std::string text = say({TR_NOOP("Report", "%1, step limit %2 m"),
+                                      settingsText(row.estimate.side[0].settings), row.stepLimit});
         if (std::exchange(last[isSecond], text) == text) continue;
         if (part.table.rows.size() == maxRows) {
             ++rest;
             continue;
         }
         part.table.rows.push_back(
-            {momentText(row.time), fmt::format("{}{}", row.id, isSecond ? " (second)" : ""), text});
+            {momentText(row.time),
+             isSecond ? say({TR_NOOP("Report", "%1 (second)"), row.id}) : std::to_string(row.id),
+             text});
     }
-    if (rest > 0) part.table.rows.push_back(restRow(rest, 3));
-    if (part.table.rows.empty()) part.note = "Nothing was estimated, so no settings are recorded.";
+    if (rest > 0) part.table.rows.push_back(restRow(rest, 3, say));
+    if (part.table.rows.empty())
+        part.note = say(TR_NOOP("Report", "Nothing was estimated, so no settings are recorded."));
     return part;
 }
 

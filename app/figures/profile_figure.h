@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/figures/wording.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/terrain/outline.h"
@@ -19,6 +20,7 @@ struct FigureInput {
     std::optional<Heights> truth;             ///< [m], if known
     std::string title;
     std::optional<int> proposedBin;  ///< bin of the proposed probe
+    Wording say = inEnglish;         ///< makes the texts
 };
 
 /// Draws the terrain profile, 1200 × 700 px, with equal axes [m] and the origin at the IMU. It shows the mean line,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "app/figures/canvas.h"
 #include "app/figures/document_pages.h"
 #include "app/figures/html_text.h"
@@ -18,7 +20,11 @@ std::string tableHtml(const DocumentTable& table)
             html += fmt::format("<{0}>{1}</{0}>", element, htmlText(cell));
         return html + "</tr>\n";
     };
-    std::string html = "<table>\n" + row(table.heading, "th");
+    const double sum = std::accumulate(table.shares.begin(), table.shares.end(), 0.0);
+    std::string html = "<table>\n";
+    for (const double share : table.shares)
+        html += fmt::format("<col style=\"width:{:.1f}%\">", 100.0 * share / sum);
+    html += "\n" + row(table.heading, "th");
     for (const std::vector<std::string>& cells : table.rows) html += row(cells, "td");
     return html + "</table>\n";
 }
@@ -50,8 +56,11 @@ std::string partHtml(const DocumentPart& part, std::size_t number)
 std::string htmlOf(const ReportDocument& document)
 {
     std::string html =
-        htmlHead(document.title, "td,th{text-align:left;vertical-align:top;overflow-wrap:anywhere}"
-                                 "figure{margin:0 0 1em}");
+        htmlHead(document.title, document.say,
+                 "table{table-layout:fixed}"
+                 "td,th{text-align:left;vertical-align:top;overflow-wrap:anywhere}"
+                 "dl{display:grid;grid-template-columns:12em 1fr;gap:.2em 1em}dd{margin:0}"
+                 "figure{margin:0 0 1em}");
     html += fmt::format("<body><h1>{}</h1>\n<p><strong>{}</strong></p>\n", htmlText(document.title),
                         htmlText(document.summary));
     for (std::size_t k = 0; k < document.parts.size(); ++k) html += partHtml(document.parts[k], k);

@@ -1,8 +1,12 @@
 #include "app/figures/report_text.h"
 
-#include <fmt/format.h>
-
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/figures/wording.h"
+#include "core/log/event_text.h"
 
 namespace terratact {
 namespace {
@@ -12,54 +16,86 @@ double inDegrees(double radians)
     return radians * 180.0 / std::numbers::pi;
 }
 
-/// Returns what a verdict of one profile adds to its answer: why it is not CLEAR, or withheld.
-std::string reasonsText(const Verdict& v)
+SourceText readingAt(ProbeSide side)
 {
-    std::string text;
-    if (v.shortfall != Shortfall::None) text.append("; ").append(describe(v.shortfall).english);
-    if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
-    for (const WithholdReason reason : v.withheldFor)
-        text.append("; ").append(describe(reason).english);
-    return text;
+    switch (side) {
+    case ProbeSide::Left: return TR_NOOP("Report", "%1 m at %2 m left (sd %3 mm)");
+    case ProbeSide::Right: return TR_NOOP("Report", "%1 m at %2 m right (sd %3 mm)");
+    default: return TR_NOOP("Report", "%1 m at %2 m (sd %3 mm)");
+    }
+}
+
+/// Returns the message, or the recorded name if it is nothing else.
+Message nameOr(Message message, const std::string& recorded)
+{
+    const bool isName = message.context.empty() && message.arguments.empty() && !recorded.empty();
+    return isName ? eventName(recorded) : message;
 }
 
 }  // namespace
 
-std::string settingsText(const Settings& s)
+Message settingsText(const Settings& s)
 {
-    return fmt::format(
-        "method {}, ceiling {}, contacts {}, contact above {} N, contact sd {} m, at "
-        "most {} draws{}, {} chains, burn-in {}, scan {}, precision {}, inducing {}, "
-        "seed {}, probe above {} m",
-        name(s.method), name(s.ceiling), name(s.contacts), s.forceThreshold, s.contactSd, s.draws,
-        s.stopEarly ? "" : " (all)", s.chains, s.burnIn, name(s.scan), name(s.precision),
-        s.inducing, s.seed, s.probeAbove);
+    std::vector<Message> parts{
+        {TR_NOOP("Report", "method %1"), name(s.method)},
+        {TR_NOOP("Report", "ceiling %1"), name(s.ceiling)},
+        {TR_NOOP("Report", "contacts %1"), name(s.contacts)},
+        {TR_NOOP("Report", "contact above %1 N"), s.forceThreshold},
+        {TR_NOOP("Report", "contact sd %1 m"), s.contactSd},
+        {s.stopEarly ? TR_NOOP("Report", "at most %1 draws")
+                     : TR_NOOP("Report", "at most %1 draws (all)"),
+         s.draws},
+        {TR_NOOP("Report", "%1 chains"), s.chains},
+        {TR_NOOP("Report", "burn-in %1"), s.burnIn},
+        {TR_NOOP("Report", "scan %1"), name(s.scan)},
+        {TR_NOOP("Report", "precision %1"), name(s.precision)},
+        {TR_NOOP("Report", "inducing %1"), s.inducing},
+        {TR_NOOP("Report", "seed %1"), s.seed},
+        {TR_NOOP("Report", "probe above %1 m"), s.probeAbove},
+    };
+    return Message::listed(std::move(parts), ", ");
 }
 
-std::string readingsText(const EstimateRow& row)
+Message readingsText(const EstimateRow& row)
 {
-    std::string text;
+    if (row.readings.empty()) return TR_NOOP("Report", "none");
+    std::vector<Message> parts;
+    parts.reserve(row.readings.size());
     for (const ArmReading& r : row.readings)
-        text += fmt::format("{}{:+.3f} m at {:+.1f} m{} (sd {:.0f} mm)", text.empty() ? "" : ", ",
-                            r.height, binCentre(r.bin),
-                            r.side == ProbeSide::Middle ? "" : fmt::format(" {}", name(r.side)),
-                            1000.0 * r.sd);
-    return text.empty() ? "none" : text;
+        parts.emplace_back(readingAt(r.side), signedFixed(r.height, 3),
+                           signedFixed(binCentre(r.bin), 1), fixed(1000.0 * r.sd, 0));
+    return Message::listed(std::move(parts), ", ");
 }
 
-std::string stepText(const Verdict& v, double limit)
+Message stepText(const Verdict& v, double limit)
 {
-    return fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
-                       describeStepVerdict(v), limit, 100.0 * v.step.p)
-         + reasonsText(v);
+    std::vector<Message> parts{
+        {TR_NOOP("Report", "%1: a step ahead of more than %2 m has probability %3 %"),
+         stepVerdictMessage(v), fixed(limit, 2), fixed(100.0 * v.step.p, 0)}};
+    if (v.shortfall != Shortfall::None) parts.emplace_back(describe(v.shortfall));
+    if (!v.unfelt.empty()) parts.push_back(unfeltMessage(v));
+    for (const WithholdReason reason : v.withheldFor) parts.emplace_back(describe(reason));
+    return Message::listed(std::move(parts), "; ");
 }
 
-std::string crossSlopeText(const CrossSlope& slope)
+Message subjectMessage(const EventRow& event)
 {
-    return fmt::format("{:+.1f}° (left higher) at {:+.1f} m; more than {:.1f}° to a side has "
-                       "probability {:.0f} %",
-                       inDegrees(slope.steepest), binCentre(slope.bin), inDegrees(slope.limit),
-                       100.0 * slope.beyond.p);
+    if (event.subject.empty()) return TR_NOOP("Report", "marker");
+    return nameOr(subjectOf(event), event.subject);
+}
+
+Message textMessage(const EventRow& event)
+{
+    if (event.kind == EventKind::Marker) return Message::verbatim(event.text);
+    return nameOr(messageOf(event), event.text);
+}
+
+Message crossSlopeText(const CrossSlope& slope)
+{
+    return {TR_NOOP("Report",
+                    "%1° (left higher) at %2 m; more than %3° to a side has probability %4 %"),
+            signedFixed(inDegrees(slope.steepest), 1), signedFixed(binCentre(slope.bin), 1),
+            fixed(inDegrees(slope.limit), 1), fixed(100.0 * slope.beyond.p, 0)};
 }
 
 }  // namespace terratact

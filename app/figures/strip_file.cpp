@@ -38,8 +38,15 @@ double groundOf(const Strip& strip)
     return kBinWidth * static_cast<double>(columns);
 }
 
+Message stripTitle(const std::string& file)
+{
+    if (file.empty()) return TR_NOOP("Report", "Strip of felt ground of a running drive");
+    return {TR_NOOP("Report", "Strip of felt ground of %1"), file};
+}
+
 Status writeStrip(const std::string& path, const std::shared_ptr<const Strip>& strip,
-                  const RobotModel& robot, const std::string& title, std::optional<int> section)
+                  const RobotModel& robot, const std::string& title, std::optional<int> section,
+                  const Wording& say)
 {
     const bool isPly = path.ends_with(".ply");
     const bool isPicture = std::ranges::any_of(
@@ -55,7 +62,7 @@ Status writeStrip(const std::string& path, const std::shared_ptr<const Strip>& s
                                  *section, sections)};
     if (isPly) return writeText(path, stripPly(*strip, robot, section));
     std::string csv = stripCsv(*strip, robot, section);
-    return isPicture ? writeStripPicture(path, strip, {title, std::move(csv)}, section)
+    return isPicture ? writeStripPicture(path, strip, {title, std::move(csv)}, section, say)
                      : writeText(path, csv);
 }
 

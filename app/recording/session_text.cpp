@@ -58,10 +58,15 @@ std::string momentText(SessionTime time)
     return fmt::format("{:.3f} s", secondsOf(time));
 }
 
+Message damageMessage(const SessionStart& start, const SessionDamage& damage)
+{
+    return {TR_NOOP("Report", "%1 (%2) to %3: %4"), utcText(wallTimeOf(start, damage.first)),
+            momentText(damage.first), momentText(damage.last), damage.why};
+}
+
 std::string damageText(const SessionStart& start, const SessionDamage& damage)
 {
-    return fmt::format("{} ({}) to {}: {}", utcText(wallTimeOf(start, damage.first)),
-                       momentText(damage.first), momentText(damage.last), damage.why.english());
+    return damageMessage(start, damage).english();
 }
 
 std::string driveName(const std::string& path)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/log/session_reader.h"
 
 namespace terratact {
@@ -23,6 +24,8 @@ std::string nanosecondText(std::int64_t wallTime);
 std::string momentText(SessionTime time);
 
 /// Returns "14:13:20.000 UTC (12.345 s) to …: cause".
+Message damageMessage(const SessionStart& start, const SessionDamage& damage);
+/// Returns damageMessage() in English.
 std::string damageText(const SessionStart& start, const SessionDamage& damage);
 
 /// Returns the part of a session's file name that names its drive.

@@ -22,11 +22,11 @@ Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
     const auto book = readDbcBook(CanProtocol::Terratact, wish.dbc);
     if (!book) return book.error();
     if (wish.scene == 0) {
-        const auto mission = missionReportOf(session, progress, *book);
+        const auto mission = missionReportOf(session, progress, *book, inReadersLanguage);
         if (!mission) return mission.error();
         return writeDocument(wish.out, *mission);
     }
-    const auto report = reportOf(session, wish.scene, progress, *book);
+    const auto report = reportOf(session, wish.scene, progress, *book, inReadersLanguage);
     if (!report) return report.error();
     return writeReport(wish.out, *report);
 }
@@ -38,7 +38,8 @@ Status writeStripOf(SessionReader& session, const std::string& out, const Progre
     const auto strip = stripOf(session, *robot, progress);
     if (!strip) return Error{out + ": not written: ended before all was read"};
     const auto name = std::filesystem::path(session.path()).filename().string();
-    return writeStrip(out, strip, *robot, "Strip of felt ground of " + name);
+    return writeStrip(out, strip, *robot, inReadersLanguage(stripTitle(name)), {},
+                      inReadersLanguage);
 }
 
 }  // namespace

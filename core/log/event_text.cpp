@@ -11,6 +11,29 @@ Message messageOr(const std::optional<Enum>& value, const std::string& recorded)
     return value ? Message(describe(*value)) : Message::verbatim(recorded);
 }
 
+/// A sentence that earlier recordings hold, and the one that is shown for it; both have the same
+/// places.
+struct FormerText {
+    const char* recorded;
+    SourceText now;
+};
+
+constexpr FormerText kFormerTexts[] = {
+    {"a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)",
+     TR_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± %3, most likely at "
+                     "%4 m … %5 m (%6)")},
+};
+
+/// Returns the message with today's sentences, in its arguments too.
+Message withoutFormerTexts(Message message)
+{
+    for (const FormerText& text : kFormerTexts)
+        if (message.source == text.recorded && message.context == text.now.context)
+            message.source = text.now.english;
+    for (Message& argument : message.arguments) argument = withoutFormerTexts(std::move(argument));
+    return message;
+}
+
 }  // namespace
 
 std::optional<AtemPhase> phaseOf(const EventRow& event)
@@ -59,7 +82,7 @@ Message screenOf(const EventRow& event)
 
 Message messageOf(const EventRow& event)
 {
-    if (!event.message.empty()) return event.message;
+    if (!event.message.empty()) return withoutFormerTexts(event.message);
     if (event.kind == EventKind::Arming) return messageOr(causeOf(event), event.text);
     return messageOr(failureOf(event), event.text);
 }

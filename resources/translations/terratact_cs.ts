@@ -1280,6 +1280,773 @@ značka K</translation>
     </message>
 </context>
 <context>
+    <name>Report</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>strana %1 z %2</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>cs</translation>
+    </message>
+    <message>
+        <source>error against the truth: %1 m rms, %2 m at %3 m, %4 of %5 bins in their band</source>
+        <translation>chyba proti skutečnosti: %1 m (střední kvadratická), %2 m v %3 m, %4 z %5 míst ve svém pásu</translation>
+    </message>
+    <message>
+        <source>%1. Left: %2. Right: %3. Either side: %4 %. Cross slope: %5</source>
+        <translation>%1. Vlevo: %2. Vpravo: %3. Kterákoli strana: %4 %. Příčný sklon: %5</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2 (second method)</source>
+        <translation>odhad %1 scény %2 (druhá metoda)</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2 (with the reading of the arm)</source>
+        <translation>odhad %1 scény %2 (s měřením ramene)</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2</source>
+        <translation>odhad %1 scény %2</translation>
+    </message>
+    <message>
+        <source>no verdict: its scene is damaged</source>
+        <translation>bez verdiktu: scéna je poškozená</translation>
+    </message>
+    <message>
+        <source>method %1, %2 s</source>
+        <translation>metoda %1, %2 s</translation>
+    </message>
+    <message>
+        <source>arm: %1</source>
+        <translation>rameno: %1</translation>
+    </message>
+    <message>
+        <source>bin %1 m left</source>
+        <translation>místo %1 m vlevo</translation>
+    </message>
+    <message>
+        <source>bin %1 m right</source>
+        <translation>místo %1 m vpravo</translation>
+    </message>
+    <message>
+        <source>bin %1 m</source>
+        <translation>místo %1 m</translation>
+    </message>
+    <message>
+        <source>%1: height %2 m, %3 m … %4 m, sd %5 m above the threshold %6 m</source>
+        <translation>%1: výška %2 m, %3 m … %4 m, směr. odch. %5 m nad prahem %6 m</translation>
+    </message>
+    <message>
+        <source>arm sd %1 m</source>
+        <translation>směr. odch. ramene %1 m</translation>
+    </message>
+    <message>
+        <source>takes %1 s</source>
+        <translation>trvá %1 s</translation>
+    </message>
+    <message>
+        <source>step above %1 m: %2 bit open, %3 bit after it</source>
+        <translation>schod nad %1 m: %2 bit nejisté, poté %3 bit</translation>
+    </message>
+    <message>
+        <source>step above %1 m: %2 bit open</source>
+        <translation>schod nad %1 m: %2 bit nejisté</translation>
+    </message>
+    <message>
+        <source>probe proposed on estimate %1</source>
+        <translation>sonda navržena k odhadu %1</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>zpráva</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>operátor</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>průzkum</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>aktivace</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>spojení</translation>
+    </message>
+    <message>
+        <source>estimate void</source>
+        <translation>odhad zanikl</translation>
+    </message>
+    <message>
+        <source>telemetry gap</source>
+        <translation>výpadek telemetrie</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>přes pochybnost</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>alarm</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>panel</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>značka</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>mezera</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>relace</translation>
+    </message>
+    <message>
+        <source>contact closed</source>
+        <translation>kontakt sepnut</translation>
+    </message>
+    <message>
+        <source>contact open</source>
+        <translation>kontakt rozepnut</translation>
+    </message>
+    <message>
+        <source>longest gap %1 s</source>
+        <translation>nejdelší výpadek %1 s</translation>
+    </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>návrh %1</translation>
+    </message>
+    <message>
+        <source>on the screen: %1</source>
+        <translation>na obrazovce: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more in the session</source>
+        <translation>… a dalších %1 v relaci</translation>
+    </message>
+    <message>
+        <source>Decisions and their numbers</source>
+        <translation>Rozhodnutí a jejich čísla</translation>
+    </message>
+    <message>
+        <source>Nothing was estimated and nobody decided anything.</source>
+        <translation>Nic nebylo odhadnuto a nikdo o ničem nerozhodl.</translation>
+    </message>
+    <message>
+        <source>since start</source>
+        <translation>od začátku</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>co</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>čísla</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
+    </message>
+    <message>
+        <source>No alarm was raised.</source>
+        <translation>Žádný alarm nenastal.</translation>
+    </message>
+    <message>
+        <source>raised</source>
+        <translation>vznik</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>potvrzení</translation>
+    </message>
+    <message>
+        <source>cause gone</source>
+        <translation>konec příčiny</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>text</translation>
+    </message>
+    <message>
+        <source>before the session</source>
+        <translation>před relací</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ne</translation>
+    </message>
+    <message>
+        <source>Settings in force</source>
+        <translation>Platná nastavení</translation>
+    </message>
+    <message>
+        <source>Settings of the estimates, from each change on. Other settings are recorded as decisions.</source>
+        <translation>Nastavení odhadů, vždy od jejich změny. Jiná nastavení jsou zapsána jako rozhodnutí.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>%1, step limit %2 m</source>
+        <translation>%1, mez schodu %2 m</translation>
+    </message>
+    <message>
+        <source>%1 (second)</source>
+        <translation>%1 (druhý)</translation>
+    </message>
+    <message>
+        <source>Nothing was estimated, so no settings are recorded.</source>
+        <translation>Nic nebylo odhadnuto, a tak nejsou zapsána žádná nastavení.</translation>
+    </message>
+    <message>
+        <source>nothing was estimated</source>
+        <translation>nic nebylo odhadnuto</translation>
+    </message>
+    <message>
+        <source>%1 %2 (median %3 s)</source>
+        <translation>%1 %2 (medián %3 s)</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, commands could be sent</source>
+        <translation>%1, sběrnice %2, povely bylo možné posílat</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, listened only</source>
+        <translation>%1, sběrnice %2, jen poslech</translation>
+    </message>
+    <message>
+        <source>decisions %1, of these stop %2, halt %3, abort %4; markers %5</source>
+        <translation>rozhodnutí %1, z toho stop %2, zastavení %3, přerušení %4; značek %5</translation>
+    </message>
+    <message>
+        <source>The session</source>
+        <translation>Relace</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>soubor</translation>
+    </message>
+    <message>
+        <source>begins</source>
+        <translation>začátek</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>konec</translation>
+    </message>
+    <message>
+        <source>lasts</source>
+        <translation>trvání</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>zdroj</translation>
+    </message>
+    <message>
+        <source>recorded by</source>
+        <translation>zaznamenal</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>uzavřena</translation>
+    </message>
+    <message>
+        <source>yes, sealed</source>
+        <translation>ano, zapečetěna</translation>
+    </message>
+    <message>
+        <source>NO: still being recorded, or its program died</source>
+        <translation>NE: ještě se zaznamenává, nebo program spadl</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>rámce</translation>
+    </message>
+    <message>
+        <source>estimates</source>
+        <translation>odhady</translation>
+    </message>
+    <message>
+        <source>%1 (scenes: %2); by method: %3</source>
+        <translation>%1 (scén: %2); podle metody: %3</translation>
+    </message>
+    <message>
+        <source>probes</source>
+        <translation>sondy</translation>
+    </message>
+    <message>
+        <source>proposed %1, approved %2, refused %3</source>
+        <translation>navrženo %1, schváleno %2, odmítnuto %3</translation>
+    </message>
+    <message>
+        <source>Hashes</source>
+        <translation>Otisky</translation>
+    </message>
+    <message>
+        <source>Each hash is SHA-256. The last link of the chain proves the session if it is known from elsewhere.</source>
+        <translation>Každý otisk je SHA-256. Poslední článek řetězu dokazuje relaci, je-li znám odjinud.</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>výsledek</translation>
+    </message>
+    <message>
+        <source>every hash holds: %1 batches, %2 frames, %3 events</source>
+        <translation>všechny otisky souhlasí: %1 dávek, %2 rámců, %3 událostí</translation>
+    </message>
+    <message>
+        <source>PARTS ARE NOT WHAT WAS RECORDED</source>
+        <translation>ČÁSTI NEJSOU TÍM, CO BYLO ZAZNAMENÁNO</translation>
+    </message>
+    <message>
+        <source>last link</source>
+        <translation>poslední článek</translation>
+    </message>
+    <message>
+        <source>robot file</source>
+        <translation>soubor robota</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>model</translation>
+    </message>
+    <message>
+        <source>%1, %2, from %3 on</source>
+        <translation>%1, %2, od %3</translation>
+    </message>
+    <message>
+        <source>networks</source>
+        <translation>sítě</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>přerušeno</translation>
+    </message>
+    <message>
+        <source>nothing is proven from %1</source>
+        <translation>nic není dokázáno od %1</translation>
+    </message>
+    <message>
+        <source>damage</source>
+        <translation>poškození</translation>
+    </message>
+    <message>
+        <source>Every hash holds.</source>
+        <translation>Všechny otisky souhlasí.</translation>
+    </message>
+    <message>
+        <source>PARTS ARE NOT WHAT WAS RECORDED: see Hashes. They are left out.</source>
+        <translation>ČÁSTI NEJSOU TÍM, CO BYLO ZAZNAMENÁNO: viz Otisky. Jsou vynechány.</translation>
+    </message>
+    <message>
+        <source>The session was not closed.</source>
+        <translation>Relace nebyla uzavřena.</translation>
+    </message>
+    <message>
+        <source>Mission report of %1</source>
+        <translation>Zpráva o misi %1</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3, %4 s before</source>
+        <translation>%1 %2: %3, %4 s předtím</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>bez hodnoty</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>náklad</translation>
+    </message>
+    <message>
+        <source>method %1, %2 draws in %3 chains</source>
+        <translation>metoda %1, %2 vzorků v %3 řetězcích</translation>
+    </message>
+    <message>
+        <source>! not converged</source>
+        <translation>! nezkonvergovalo</translation>
+    </message>
+    <message>
+        <source>! (+%1 more) %2</source>
+        <translation>! (+%1 dalších) %2</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [m]</source>
+        <translation>vpřed od IMU [m]</translation>
+    </message>
+    <message>
+        <source>height above the IMU [m]</source>
+        <translation>výška nad IMU [m]</translation>
+    </message>
+    <message>
+        <source>probe here</source>
+        <translation>zde sonda</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>střední hodnota</translation>
+    </message>
+    <message>
+        <source>0.1 to 0.9 quantile</source>
+        <translation>kvantily 0.1 až 0.9</translation>
+    </message>
+    <message>
+        <source>ceiling by the body</source>
+        <translation>strop daný tělem</translation>
+    </message>
+    <message>
+        <source>estimate before</source>
+        <translation>předchozí odhad</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>skutečnost</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m left (sd %3 mm)</source>
+        <translation>%1 m v %2 m vlevo (směr. odch. %3 mm)</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m right (sd %3 mm)</source>
+        <translation>%1 m v %2 m vpravo (směr. odch. %3 mm)</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m (sd %3 mm)</source>
+        <translation>%1 m v %2 m (směr. odch. %3 mm)</translation>
+    </message>
+    <message>
+        <source>method %1</source>
+        <translation>metoda %1</translation>
+    </message>
+    <message>
+        <source>ceiling %1</source>
+        <translation>strop %1</translation>
+    </message>
+    <message>
+        <source>contacts %1</source>
+        <translation>kontakty %1</translation>
+    </message>
+    <message>
+        <source>contact above %1 N</source>
+        <translation>kontakt nad %1 N</translation>
+    </message>
+    <message>
+        <source>contact sd %1 m</source>
+        <translation>směr. odch. kontaktu %1 m</translation>
+    </message>
+    <message>
+        <source>at most %1 draws</source>
+        <translation>nejvýše %1 vzorků</translation>
+    </message>
+    <message>
+        <source>at most %1 draws (all)</source>
+        <translation>nejvýše %1 vzorků (všechny)</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>řetězců %1</translation>
+    </message>
+    <message>
+        <source>burn-in %1</source>
+        <translation>záběh %1</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>průchod %1</translation>
+    </message>
+    <message>
+        <source>precision %1</source>
+        <translation>přesnost %1</translation>
+    </message>
+    <message>
+        <source>inducing %1</source>
+        <translation>opěrné řádky %1</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>semínko %1</translation>
+    </message>
+    <message>
+        <source>probe above %1 m</source>
+        <translation>sonda nad %1 m</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádné</translation>
+    </message>
+    <message>
+        <source>%1: a step ahead of more than %2 m has probability %3 %</source>
+        <translation>%1: schod vpředu nad %2 m má pravděpodobnost %3 %</translation>
+    </message>
+    <message>
+        <source>%1° (left higher) at %2 m; more than %3° to a side has probability %4 %</source>
+        <translation>%1° (vlevo výš) v %2 m; více než %3° na některou stranu má pravděpodobnost %4 %</translation>
+    </message>
+    <message>
+        <source>left %1, right %2</source>
+        <translation>vlevo %1, vpravo %2</translation>
+    </message>
+    <message>
+        <source>pitch %1°, roll %2°; flippers front %3° %4°, rear %5° %6°; forces %7 N</source>
+        <translation>podélný náklon %1°, příčný %2°; flippery vpředu %3° %4°, vzadu %5° %6°; síly %7 N</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>either side</source>
+        <translation>kterákoli strana</translation>
+    </message>
+    <message>
+        <source>a step ahead of more than %1 m has probability %2 %</source>
+        <translation>schod vpředu nad %1 m má pravděpodobnost %2 %</translation>
+    </message>
+    <message>
+        <source>cross slope</source>
+        <translation>příčný sklon</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>místo [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>výška [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>strop [m]</translation>
+    </message>
+    <message>
+        <source>known by</source>
+        <translation>známo z</translation>
+    </message>
+    <message>
+        <source>touch</source>
+        <translation>dotyk</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>strana</translation>
+    </message>
+    <message>
+        <source>truth [m]</source>
+        <translation>skut. [m]</translation>
+    </message>
+    <message>
+        <source>Scene %1 of %2</source>
+        <translation>Scéna %1 z %2</translation>
+    </message>
+    <message>
+        <source>Estimate %1, %2</source>
+        <translation>Odhad %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, recorded by %3</source>
+        <translation>%1, sběrnice %2, zaznamenal %3</translation>
+    </message>
+    <message>
+        <source>captured</source>
+        <translation>zachyceno</translation>
+    </message>
+    <message>
+        <source>%1, %2 after the session&apos;s start</source>
+        <translation>%1, %2 od začátku relace</translation>
+    </message>
+    <message>
+        <source>estimated</source>
+        <translation>odhadnuto</translation>
+    </message>
+    <message>
+        <source>%1, in %2 s</source>
+        <translation>%1, za %2 s</translation>
+    </message>
+    <message>
+        <source>%1, in %2 s, sampling ended: %3</source>
+        <translation>%1, za %2 s, vzorkování skončilo: %3</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>poloha</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>rameno</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>poškozeno</translation>
+    </message>
+    <message>
+        <source>%1; last link of its chain %2</source>
+        <translation>%1; poslední článek řetězu %2</translation>
+    </message>
+    <message>
+        <source>every hash holds</source>
+        <translation>všechny otisky souhlasí</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>varování</translation>
+    </message>
+    <message>
+        <source>The operator decided nothing here</source>
+        <translation>Operátor zde o ničem nerozhodl</translation>
+    </message>
+    <message>
+        <source>The operator</source>
+        <translation>Operátor</translation>
+    </message>
+    <message>
+        <source>Section %1 (%2), %3 to %4 m along the way</source>
+        <translation>Úsek %1 (%2), %3 až %4 m cesty</translation>
+    </message>
+    <message>
+        <source>newest estimate; all else is remembered</source>
+        <translation>nejnovější odhad; vše ostatní je zapamatováno</translation>
+    </message>
+    <message>
+        <source>along the way [m]</source>
+        <translation>podél cesty [m]</translation>
+    </message>
+    <message>
+        <source>left, with its 80 % band</source>
+        <translation>vlevo, s pásem 80 %</translation>
+    </message>
+    <message>
+        <source>right, with its 80 % band</source>
+        <translation>vpravo, s pásem 80 %</translation>
+    </message>
+    <message>
+        <source>both sides alike, with the 80 % band</source>
+        <translation>obě strany stejné, s pásem 80 %</translation>
+    </message>
+    <message>
+        <source>touched by the arm</source>
+        <translation>dotyk ramene</translation>
+    </message>
+    <message>
+        <source>felt by flipper or track</source>
+        <translation>ohmatáno flipperem nebo pásem</translation>
+    </message>
+    <message>
+        <source>felt in part</source>
+        <translation>ohmatáno zčásti</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>omezeno</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation>neohmatáno</translation>
+    </message>
+    <message>
+        <source>not recorded how</source>
+        <translation>nezapsáno jak</translation>
+    </message>
+    <message>
+        <source>Ground of section %1 from %2 to %3 m along the way</source>
+        <translation>Terén úseku %1 od %2 do %3 m cesty</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground</source>
+        <translation>Pás ohmataného terénu</translation>
+    </message>
+    <message>
+        <source>No ground is shown: nothing was estimated, or the robot reports no odometry.</source>
+        <translation>Žádný terén: nic nebylo odhadnuto, nebo robot nehlásí odometrii.</translation>
+    </message>
+    <message>
+        <source>Ground: %1 m. Sections: %2. Heights are from the IMU at the first scene of a section; both axes have one scale. Bars reach from the 0.1 to the 0.9 quantile. At most the last %3 m are kept.</source>
+        <translation>Terén: %1 m. Úseky: %2. Výšky jsou od IMU při první scéně úseku; obě osy mají stejné měřítko. Pásy sahají od kvantilu 0.1 do 0.9. Uchová se nejvýše posledních %3 m.</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground of a running drive</source>
+        <translation>Pás ohmataného terénu probíhající jízdy</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground of %1</source>
+        <translation>Pás ohmataného terénu z %1</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>obě</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>omezeno</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>vzorkováno</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>jen apriori</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>ohmatáno</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>zapamatováno</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nezapsáno</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>zkonvergovalo</translation>
+    </message>
+    <message>
+        <source>sweeps</source>
+        <translation>průchody</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>čas</translation>
+    </message>
+    <message>
+        <source>%1 (%2) to %3: %4</source>
+        <translation>%1 (%2) až %3: %4</translation>
+    </message>
+</context>
+<context>
     <name>ReviewDifference</name>
     <message>
         <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
@@ -1747,10 +2514,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the arm found bin %1 m %2 mm above the robot&apos;s own lower edge</source>
         <translation>rameno našlo bod %1 m o %2 mm nad spodní hranou robota</translation>
-    </message>
-    <message>
-        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
-        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
     </message>
     <message>
         <source>two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)</source>
@@ -5167,6 +5930,42 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>is of version %1 of the format: export it as version 1.0 to 2.1</source>
         <translation>má verzi formátu %1: exportujte jej jako verzi 1.0 až 2.1</translation>
+    </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, most likely at %4 m … %5 m (%6)</source>
+        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš v %4 m … %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>%1 at %2 m</source>
+        <translation>%1 v %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for the robot</source>
+        <translation>%1 pro robota</translation>
+    </message>
+    <message>
+        <source>both %1</source>
+        <translation>obě strany %1</translation>
+    </message>
+    <message>
+        <source>each side %1</source>
+        <translation>každá strana %1</translation>
+    </message>
+    <message>
+        <source>left %1 · right %2</source>
+        <translation>vlevo %1 · vpravo %2</translation>
+    </message>
+    <message>
+        <source>cross slope %1° of %2°</source>
+        <translation>příčný sklon %1° z %2°</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m</source>
+        <translation>%1 do %2 m</translation>
+    </message>
+    <message>
+        <source>not felt: %1</source>
+        <translation>neohmatáno: %1</translation>
     </message>
 </context>
 <context>

@@ -1280,6 +1280,773 @@ Marke K</translation>
     </message>
 </context>
 <context>
+    <name>Report</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>error against the truth: %1 m rms, %2 m at %3 m, %4 of %5 bins in their band</source>
+        <translation>Fehler gegen die Wahrheit: %1 m (quadratisches Mittel), %2 m bei %3 m, %4 von %5 Stellen in ihrem Band</translation>
+    </message>
+    <message>
+        <source>%1. Left: %2. Right: %3. Either side: %4 %. Cross slope: %5</source>
+        <translation>%1. Links: %2. Rechts: %3. Eine der Seiten: %4 %. Quergefälle: %5</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2 (second method)</source>
+        <translation>Schätzung %1 der Szene %2 (zweite Methode)</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2 (with the reading of the arm)</source>
+        <translation>Schätzung %1 der Szene %2 (mit der Messung des Arms)</translation>
+    </message>
+    <message>
+        <source>estimate %1 of scene %2</source>
+        <translation>Schätzung %1 der Szene %2</translation>
+    </message>
+    <message>
+        <source>no verdict: its scene is damaged</source>
+        <translation>kein Urteil: die Szene ist beschädigt</translation>
+    </message>
+    <message>
+        <source>method %1, %2 s</source>
+        <translation>Methode %1, %2 s</translation>
+    </message>
+    <message>
+        <source>arm: %1</source>
+        <translation>Arm: %1</translation>
+    </message>
+    <message>
+        <source>bin %1 m left</source>
+        <translation>Stelle %1 m links</translation>
+    </message>
+    <message>
+        <source>bin %1 m right</source>
+        <translation>Stelle %1 m rechts</translation>
+    </message>
+    <message>
+        <source>bin %1 m</source>
+        <translation>Stelle %1 m</translation>
+    </message>
+    <message>
+        <source>%1: height %2 m, %3 m … %4 m, sd %5 m above the threshold %6 m</source>
+        <translation>%1: Höhe %2 m, %3 m … %4 m, Standardabw. %5 m über der Schwelle %6 m</translation>
+    </message>
+    <message>
+        <source>arm sd %1 m</source>
+        <translation>Standardabw. des Arms %1 m</translation>
+    </message>
+    <message>
+        <source>takes %1 s</source>
+        <translation>dauert %1 s</translation>
+    </message>
+    <message>
+        <source>step above %1 m: %2 bit open, %3 bit after it</source>
+        <translation>Stufe über %1 m: %2 bit offen, danach %3 bit</translation>
+    </message>
+    <message>
+        <source>step above %1 m: %2 bit open</source>
+        <translation>Stufe über %1 m: %2 bit offen</translation>
+    </message>
+    <message>
+        <source>probe proposed on estimate %1</source>
+        <translation>Sondierung vorgeschlagen zu Schätzung %1</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Operator</translation>
+    </message>
+    <message>
+        <source>exploration</source>
+        <translation>Erkundung</translation>
+    </message>
+    <message>
+        <source>arming</source>
+        <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>estimate void</source>
+        <translation>Schätzung verfallen</translation>
+    </message>
+    <message>
+        <source>telemetry gap</source>
+        <translation>Telemetrielücke</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>trotz Zweifel</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Pult</translation>
+    </message>
+    <message>
+        <source>marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>contact closed</source>
+        <translation>Kontakt geschlossen</translation>
+    </message>
+    <message>
+        <source>contact open</source>
+        <translation>Kontakt offen</translation>
+    </message>
+    <message>
+        <source>longest gap %1 s</source>
+        <translation>längste Lücke %1 s</translation>
+    </message>
+    <message>
+        <source>proposal %1</source>
+        <translation>Vorschlag %1</translation>
+    </message>
+    <message>
+        <source>on the screen: %1</source>
+        <translation>auf dem Schirm: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more in the session</source>
+        <translation>… und %1 weitere in der Sitzung</translation>
+    </message>
+    <message>
+        <source>Decisions and their numbers</source>
+        <translation>Entscheidungen und ihre Zahlen</translation>
+    </message>
+    <message>
+        <source>Nothing was estimated and nobody decided anything.</source>
+        <translation>Nichts wurde geschätzt und niemand hat etwas entschieden.</translation>
+    </message>
+    <message>
+        <source>since start</source>
+        <translation>seit Beginn</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>No alarm was raised.</source>
+        <translation>Es gab keinen Alarm.</translation>
+    </message>
+    <message>
+        <source>raised</source>
+        <translation>ausgelöst</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>quittiert</translation>
+    </message>
+    <message>
+        <source>cause gone</source>
+        <translation>Ursache weg</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>before the session</source>
+        <translation>vor der Sitzung</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Settings in force</source>
+        <translation>Geltende Einstellungen</translation>
+    </message>
+    <message>
+        <source>Settings of the estimates, from each change on. Other settings are recorded as decisions.</source>
+        <translation>Einstellungen der Schätzungen, jeweils ab ihrer Änderung. Andere Einstellungen sind als Entscheidungen aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>ab</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>%1, step limit %2 m</source>
+        <translation>%1, Stufengrenze %2 m</translation>
+    </message>
+    <message>
+        <source>%1 (second)</source>
+        <translation>%1 (zweite)</translation>
+    </message>
+    <message>
+        <source>Nothing was estimated, so no settings are recorded.</source>
+        <translation>Nichts wurde geschätzt, also sind keine Einstellungen aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>nothing was estimated</source>
+        <translation>nichts wurde geschätzt</translation>
+    </message>
+    <message>
+        <source>%1 %2 (median %3 s)</source>
+        <translation>%1 %2 (Median %3 s)</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, commands could be sent</source>
+        <translation>%1, Bus %2, Befehle konnten gesendet werden</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, listened only</source>
+        <translation>%1, Bus %2, nur mitgehört</translation>
+    </message>
+    <message>
+        <source>decisions %1, of these stop %2, halt %3, abort %4; markers %5</source>
+        <translation>Entscheidungen %1, davon Stop %2, Anhalten %3, Abbruch %4; Marken %5</translation>
+    </message>
+    <message>
+        <source>The session</source>
+        <translation>Die Sitzung</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>begins</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>lasts</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>recorded by</source>
+        <translation>aufgezeichnet von</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>yes, sealed</source>
+        <translation>ja, versiegelt</translation>
+    </message>
+    <message>
+        <source>NO: still being recorded, or its program died</source>
+        <translation>NEIN: wird noch aufgezeichnet, oder ihr Programm brach ab</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>estimates</source>
+        <translation>Schätzungen</translation>
+    </message>
+    <message>
+        <source>%1 (scenes: %2); by method: %3</source>
+        <translation>%1 (Szenen: %2); nach Methode: %3</translation>
+    </message>
+    <message>
+        <source>probes</source>
+        <translation>Sondierungen</translation>
+    </message>
+    <message>
+        <source>proposed %1, approved %2, refused %3</source>
+        <translation>vorgeschlagen %1, genehmigt %2, abgelehnt %3</translation>
+    </message>
+    <message>
+        <source>Hashes</source>
+        <translation>Hashes</translation>
+    </message>
+    <message>
+        <source>Each hash is SHA-256. The last link of the chain proves the session if it is known from elsewhere.</source>
+        <translation>Jeder Hash ist SHA-256. Das letzte Glied der Kette beweist die Sitzung, wenn es anderswoher bekannt ist.</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>every hash holds: %1 batches, %2 frames, %3 events</source>
+        <translation>alle Hashes stimmen: %1 Stapel, %2 Rahmen, %3 Ereignisse</translation>
+    </message>
+    <message>
+        <source>PARTS ARE NOT WHAT WAS RECORDED</source>
+        <translation>TEILE SIND NICHT, WAS AUFGEZEICHNET WURDE</translation>
+    </message>
+    <message>
+        <source>last link</source>
+        <translation>letztes Glied</translation>
+    </message>
+    <message>
+        <source>robot file</source>
+        <translation>Roboterdatei</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>%1, %2, from %3 on</source>
+        <translation>%1, %2, ab %3</translation>
+    </message>
+    <message>
+        <source>networks</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>nothing is proven from %1</source>
+        <translation>nichts ist bewiesen ab %1</translation>
+    </message>
+    <message>
+        <source>damage</source>
+        <translation>Schaden</translation>
+    </message>
+    <message>
+        <source>Every hash holds.</source>
+        <translation>Alle Hashes stimmen.</translation>
+    </message>
+    <message>
+        <source>PARTS ARE NOT WHAT WAS RECORDED: see Hashes. They are left out.</source>
+        <translation>TEILE SIND NICHT, WAS AUFGEZEICHNET WURDE: siehe Hashes. Sie sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The session was not closed.</source>
+        <translation>Die Sitzung wurde nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>Mission report of %1</source>
+        <translation>Einsatzbericht zu %1</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3, %4 s before</source>
+        <translation>%1 %2: %3, %4 s davor</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>method %1, %2 draws in %3 chains</source>
+        <translation>Methode %1, %2 Ziehungen in %3 Ketten</translation>
+    </message>
+    <message>
+        <source>! not converged</source>
+        <translation>! nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>! (+%1 more) %2</source>
+        <translation>! (+%1 weitere) %2</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [m]</source>
+        <translation>vorwärts von der IMU [m]</translation>
+    </message>
+    <message>
+        <source>height above the IMU [m]</source>
+        <translation>Höhe über der IMU [m]</translation>
+    </message>
+    <message>
+        <source>probe here</source>
+        <translation>hier sondieren</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>0.1 to 0.9 quantile</source>
+        <translation>Quantile 0.1 bis 0.9</translation>
+    </message>
+    <message>
+        <source>ceiling by the body</source>
+        <translation>Obergrenze durch den Rumpf</translation>
+    </message>
+    <message>
+        <source>estimate before</source>
+        <translation>Schätzung davor</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m left (sd %3 mm)</source>
+        <translation>%1 m bei %2 m links (Standardabw. %3 mm)</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m right (sd %3 mm)</source>
+        <translation>%1 m bei %2 m rechts (Standardabw. %3 mm)</translation>
+    </message>
+    <message>
+        <source>%1 m at %2 m (sd %3 mm)</source>
+        <translation>%1 m bei %2 m (Standardabw. %3 mm)</translation>
+    </message>
+    <message>
+        <source>method %1</source>
+        <translation>Methode %1</translation>
+    </message>
+    <message>
+        <source>ceiling %1</source>
+        <translation>Obergrenze %1</translation>
+    </message>
+    <message>
+        <source>contacts %1</source>
+        <translation>Kontakte %1</translation>
+    </message>
+    <message>
+        <source>contact above %1 N</source>
+        <translation>Kontakt ab %1 N</translation>
+    </message>
+    <message>
+        <source>contact sd %1 m</source>
+        <translation>Standardabw. eines Kontakts %1 m</translation>
+    </message>
+    <message>
+        <source>at most %1 draws</source>
+        <translation>höchstens %1 Ziehungen</translation>
+    </message>
+    <message>
+        <source>at most %1 draws (all)</source>
+        <translation>höchstens %1 Ziehungen (alle)</translation>
+    </message>
+    <message>
+        <source>%1 chains</source>
+        <translation>%1 Ketten</translation>
+    </message>
+    <message>
+        <source>burn-in %1</source>
+        <translation>Einschwingen %1</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>Durchlauf %1</translation>
+    </message>
+    <message>
+        <source>precision %1</source>
+        <translation>Genauigkeit %1</translation>
+    </message>
+    <message>
+        <source>inducing %1</source>
+        <translation>Stützzeilen %1</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>Startwert %1</translation>
+    </message>
+    <message>
+        <source>probe above %1 m</source>
+        <translation>Sondierung ab %1 m</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1: a step ahead of more than %2 m has probability %3 %</source>
+        <translation>%1: eine Stufe über %2 m voraus hat die Wahrscheinlichkeit %3 %</translation>
+    </message>
+    <message>
+        <source>%1° (left higher) at %2 m; more than %3° to a side has probability %4 %</source>
+        <translation>%1° (links höher) bei %2 m; mehr als %3° zu einer Seite hat die Wahrscheinlichkeit %4 %</translation>
+    </message>
+    <message>
+        <source>left %1, right %2</source>
+        <translation>links %1, rechts %2</translation>
+    </message>
+    <message>
+        <source>pitch %1°, roll %2°; flippers front %3° %4°, rear %5° %6°; forces %7 N</source>
+        <translation>Nickwinkel %1°, Rollwinkel %2°; Flipper vorn %3° %4°, hinten %5° %6°; Kräfte %7 N</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>either side</source>
+        <translation>eine der Seiten</translation>
+    </message>
+    <message>
+        <source>a step ahead of more than %1 m has probability %2 %</source>
+        <translation>eine Stufe über %1 m voraus hat die Wahrscheinlichkeit %2 %</translation>
+    </message>
+    <message>
+        <source>cross slope</source>
+        <translation>Quergefälle</translation>
+    </message>
+    <message>
+        <source>bin [m]</source>
+        <translation>Stelle [m]</translation>
+    </message>
+    <message>
+        <source>height [m]</source>
+        <translation>Höhe [m]</translation>
+    </message>
+    <message>
+        <source>ceiling [m]</source>
+        <translation>max. [m]</translation>
+    </message>
+    <message>
+        <source>known by</source>
+        <translation>bekannt durch</translation>
+    </message>
+    <message>
+        <source>touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>truth [m]</source>
+        <translation>wahr [m]</translation>
+    </message>
+    <message>
+        <source>Scene %1 of %2</source>
+        <translation>Szene %1 von %2</translation>
+    </message>
+    <message>
+        <source>Estimate %1, %2</source>
+        <translation>Schätzung %1, %2</translation>
+    </message>
+    <message>
+        <source>%1, bus %2, recorded by %3</source>
+        <translation>%1, Bus %2, aufgezeichnet von %3</translation>
+    </message>
+    <message>
+        <source>captured</source>
+        <translation>aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1, %2 after the session&apos;s start</source>
+        <translation>%1, %2 nach Beginn der Sitzung</translation>
+    </message>
+    <message>
+        <source>estimated</source>
+        <translation>geschätzt</translation>
+    </message>
+    <message>
+        <source>%1, in %2 s</source>
+        <translation>%1, in %2 s</translation>
+    </message>
+    <message>
+        <source>%1, in %2 s, sampling ended: %3</source>
+        <translation>%1, in %2 s, Ziehen endete: %3</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>%1; last link of its chain %2</source>
+        <translation>%1; letztes Glied der Kette %2</translation>
+    </message>
+    <message>
+        <source>every hash holds</source>
+        <translation>alle Hashes stimmen</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>The operator decided nothing here</source>
+        <translation>Der Operator hat hier nichts entschieden</translation>
+    </message>
+    <message>
+        <source>The operator</source>
+        <translation>Der Operator</translation>
+    </message>
+    <message>
+        <source>Section %1 (%2), %3 to %4 m along the way</source>
+        <translation>Abschnitt %1 (%2), %3 bis %4 m des Weges</translation>
+    </message>
+    <message>
+        <source>newest estimate; all else is remembered</source>
+        <translation>neueste Schätzung; alles andere ist gemerkt</translation>
+    </message>
+    <message>
+        <source>along the way [m]</source>
+        <translation>entlang des Weges [m]</translation>
+    </message>
+    <message>
+        <source>left, with its 80 % band</source>
+        <translation>links, mit dem 80-%-Band</translation>
+    </message>
+    <message>
+        <source>right, with its 80 % band</source>
+        <translation>rechts, mit dem 80-%-Band</translation>
+    </message>
+    <message>
+        <source>both sides alike, with the 80 % band</source>
+        <translation>beide Seiten gleich, mit dem 80-%-Band</translation>
+    </message>
+    <message>
+        <source>touched by the arm</source>
+        <translation>vom Arm berührt</translation>
+    </message>
+    <message>
+        <source>felt by flipper or track</source>
+        <translation>von Flipper oder Kette ertastet</translation>
+    </message>
+    <message>
+        <source>felt in part</source>
+        <translation>teils ertastet</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <translation>nicht ertastet</translation>
+    </message>
+    <message>
+        <source>not recorded how</source>
+        <translation>nicht aufgezeichnet, wie</translation>
+    </message>
+    <message>
+        <source>Ground of section %1 from %2 to %3 m along the way</source>
+        <translation>Boden des Abschnitts %1 von %2 bis %3 m des Weges</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground</source>
+        <translation>Streifen ertasteten Bodens</translation>
+    </message>
+    <message>
+        <source>No ground is shown: nothing was estimated, or the robot reports no odometry.</source>
+        <translation>Kein Boden gezeigt: nichts wurde geschätzt, oder der Roboter meldet keine Odometrie.</translation>
+    </message>
+    <message>
+        <source>Ground: %1 m. Sections: %2. Heights are from the IMU at the first scene of a section; both axes have one scale. Bars reach from the 0.1 to the 0.9 quantile. At most the last %3 m are kept.</source>
+        <translation>Boden: %1 m. Abschnitte: %2. Höhen gelten ab der IMU bei der ersten Szene eines Abschnitts; beide Achsen haben einen Maßstab. Balken reichen vom 0.1- zum 0.9-Quantil. Höchstens die letzten %3 m bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground of a running drive</source>
+        <translation>Streifen ertasteten Bodens einer laufenden Fahrt</translation>
+    </message>
+    <message>
+        <source>Strip of felt ground of %1</source>
+        <translation>Streifen ertasteten Bodens von %1</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>constrained</source>
+        <translation>begrenzt</translation>
+    </message>
+    <message>
+        <source>sampled</source>
+        <translation>gezogen</translation>
+    </message>
+    <message>
+        <source>prior only</source>
+        <translation>nur Vorwissen</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>ertastet</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>gemerkt</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>konvergiert</translation>
+    </message>
+    <message>
+        <source>sweeps</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 (%2) to %3: %4</source>
+        <translation>%1 (%2) bis %3: %4</translation>
+    </message>
+</context>
+<context>
     <name>ReviewDifference</name>
     <message>
         <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
@@ -1747,10 +2514,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the arm found bin %1 m %2 mm above the robot&apos;s own lower edge</source>
         <translation>der Arm fand Feld %1 m um %2 mm über der Unterkante des Roboters</translation>
-    </message>
-    <message>
-        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
-        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
     </message>
     <message>
         <source>two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)</source>
@@ -5167,6 +5930,42 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>is of version %1 of the format: export it as version 1.0 to 2.1</source>
         <translation>hat die Version %1 des Formats: exportieren Sie es als Version 1.0 bis 2.1</translation>
+    </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, most likely at %4 m … %5 m (%6)</source>
+        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten bei %4 m … %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>%1 at %2 m</source>
+        <translation>%1 bei %2 m</translation>
+    </message>
+    <message>
+        <source>%1 for the robot</source>
+        <translation>%1 für den Roboter</translation>
+    </message>
+    <message>
+        <source>both %1</source>
+        <translation>beide %1</translation>
+    </message>
+    <message>
+        <source>each side %1</source>
+        <translation>jede Seite %1</translation>
+    </message>
+    <message>
+        <source>left %1 · right %2</source>
+        <translation>links %1 · rechts %2</translation>
+    </message>
+    <message>
+        <source>cross slope %1° of %2°</source>
+        <translation>Quergefälle %1° von %2°</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m</source>
+        <translation>%1 bis %2 m</translation>
+    </message>
+    <message>
+        <source>not felt: %1</source>
+        <translation>nicht ertastet: %1</translation>
     </message>
 </context>
 <context>
@@ -10908,11 +11707,11 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>No probe is proposed; what one would tell:</source>
-        <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
+        <translation>Keine Sonde vorgeschlagen; was eine ergäbe:</translation>
     </message>
     <message>
         <source>%1; what one would tell:</source>
-        <translation>%1; was eine Probe ergäbe:</translation>
+        <translation>%1; was eine Sonde ergäbe:</translation>
     </message>
 </context>
 <context>

@@ -17,9 +17,8 @@ Message stepSentence(const TerrainEstimate& estimate, double limit)
     const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
                                             [](const auto& a, const auto& b) { return a.p < b.p; })
                          - pairs.begin();
-    return {TR_NOOP("core",
-                    "a step ahead of more than %1 mm: probability %2 ± %3, likeliest between "
-                    "%4 and %5 m (%6)"),
+    return {TR_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± %3, most likely at "
+                            "%4 m … %5 m (%6)"),
             fixed(1000.0 * limit, 0),
             fixed(any.p, 2),
             randomErrorText(any.monteCarloSd, 2),

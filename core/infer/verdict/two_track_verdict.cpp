@@ -1,11 +1,10 @@
 #include "core/infer/verdict/two_track_verdict.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/infer/estimate/hazards.h"
@@ -56,12 +55,12 @@ int lastBinOf(const Verdict& verdict)
     return last;
 }
 
-std::string answerOf(const Verdict& verdict)
+Message answerOf(const Verdict& verdict)
 {
     if (verdict.stepVerdict == StepVerdict::Blocked)
-        return fmt::format("{} at {:+.1f} m", name(verdict.stepVerdict),
-                           binCentre(verdict.likeliest + 1));
-    return describeStepVerdict(verdict);
+        return {TR_NOOP("core", "%1 at %2 m"), describe(verdict.stepVerdict),
+                signedFixed(binCentre(verdict.likeliest + 1), 1)};
+    return stepVerdictMessage(verdict);
 }
 
 /// Returns the robot's answer as far as those of the sides tell it.
@@ -205,19 +204,29 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     return verdict;
 }
 
-std::string describe(const TwoTrackVerdict& verdict)
+Message messageOf(const TwoTrackVerdict& verdict)
 {
-    if (verdict.onePlane) return describeStepVerdict(verdict.side[0]);
-    const std::string left = answerOf(verdict.side[0]), right = answerOf(verdict.side[1]);
+    if (verdict.onePlane) return stepVerdictMessage(verdict.side[0]);
+    const Message left = answerOf(verdict.side[0]), right = answerOf(verdict.side[1]);
     const bool agree = verdict.both == answerOfSides(verdict);
-    std::string text = agree ? "" : fmt::format("{} for the robot · ", name(verdict.both));
-    text += left == right ? fmt::format("{} {}", agree ? "both" : "each side", left)
-                          : fmt::format("left {} · right {}", left, right);
+    std::vector<Message> parts;
+    if (!agree) parts.emplace_back(TR_NOOP("core", "%1 for the robot"), describe(verdict.both));
+    if (left == right)
+        parts.emplace_back(agree ? TR_NOOP("core", "both %1") : TR_NOOP("core", "each side %1"),
+                           left);
+    else
+        parts.emplace_back(TR_NOOP("core", "left %1 · right %2"), left, right);
     const CrossSlope& slope = verdict.crossSlope;
     if (std::abs(slope.steepest) > slope.limit + kRedReserve - kAmberReserve)
-        text += fmt::format(" · cross slope {:.0f}° of {:.0f}°", std::abs(degrees(slope.steepest)),
-                            degrees(slope.limit + kRedReserve));
-    return text;
+        parts.emplace_back(TR_NOOP("core", "cross slope %1° of %2°"),
+                           fixed(std::abs(degrees(slope.steepest)), 0),
+                           fixed(degrees(slope.limit + kRedReserve), 0));
+    return Message::listed(std::move(parts), " · ");
+}
+
+std::string describe(const TwoTrackVerdict& verdict)
+{
+    return messageOf(verdict).english();
 }
 
 }  // namespace terratact

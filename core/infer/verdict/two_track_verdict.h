@@ -72,6 +72,8 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 /// answers. Where the robot's answer does not follow from those of the sides, it precedes them:
 /// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane: describeStepVerdict(). A cross slope within kAmberReserve of
 /// the tip-over angle follows: "cross slope 41° of 54°".
+Message messageOf(const TwoTrackVerdict& verdict);
+/// Returns messageOf() in English.
 std::string describe(const TwoTrackVerdict& verdict);
 
 }  // namespace terratact

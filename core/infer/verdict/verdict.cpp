@@ -1,10 +1,9 @@
 #include "core/infer/verdict/verdict.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/base/message.h"
 #include "core/base/named.h"
@@ -159,19 +158,31 @@ SourceText describe(Help help)
     throw std::invalid_argument("describe: no such Help");
 }
 
+Message stepVerdictMessage(const Verdict& verdict)
+{
+    const SourceText answer = describe(verdict.stepVerdict);
+    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded) return answer;
+    return {TR_NOOP("core", "%1 to %2 m"), answer, signedFixed(verdict.horizon, 2)};
+}
+
+Message unfeltMessage(const Verdict& verdict)
+{
+    if (verdict.unfelt.empty()) return {};
+    std::vector<Message> bins;
+    bins.reserve(verdict.unfelt.size());
+    for (const int bin : verdict.unfelt)
+        bins.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
+    return {TR_NOOP("core", "not felt: %1"), Message::listed(std::move(bins), ", ")};
+}
+
 std::string describeStepVerdict(const Verdict& verdict)
 {
-    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
-        return std::string(name(verdict.stepVerdict));
-    return fmt::format("{} to {:+.2f} m", name(verdict.stepVerdict), verdict.horizon);
+    return stepVerdictMessage(verdict).english();
 }
 
 std::string describeUnfelt(const Verdict& verdict)
 {
-    std::string text;
-    for (const int bin : verdict.unfelt)
-        text += fmt::format("{}{:+.1f} m", text.empty() ? "not felt: " : ", ", binCentre(bin));
-    return text;
+    return unfeltMessage(verdict).english();
 }
 
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,

@@ -81,9 +81,13 @@ struct Verdict {
 };
 
 /// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.
-std::string describeUnfelt(const Verdict& verdict);
+Message unfeltMessage(const Verdict& verdict);
 
 /// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL".
+Message stepVerdictMessage(const Verdict& verdict);
+
+/// Return unfeltMessage() and stepVerdictMessage() in English.
+std::string describeUnfelt(const Verdict& verdict);
 std::string describeStepVerdict(const Verdict& verdict);
 
 /// Returns true if a bin ahead is bounded or not felt. Where the touch is not recorded: if only the

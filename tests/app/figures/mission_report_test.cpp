@@ -111,6 +111,8 @@ TEST_F(MissionReport, isWrittenAsPagesAndAsOneHtmlFile)
     const std::string html = directory.file("m.html");
     ASSERT_TRUE(writeDocument(html, *report));
     EXPECT_NE(contentOf(html).find("<svg"), std::string::npos);
+    EXPECT_NE(contentOf(html).find("<col style=\"width:57.5%\">"), std::string::npos)
+        << "a browser must not crush the narrow columns";
     EXPECT_TRUE(refused(writeDocument(directory.file("m.svg"), *report), directory.file("m.svg"),
                         {".pdf or .html"}));
 }
