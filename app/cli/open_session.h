@@ -7,7 +7,7 @@
 namespace terratact {
 
 /// Opens a session as SessionReader::open(). The error of a damaged session, such as a truncated
-/// one, also says that `session recover` saves what is whole in it.
+/// one, names `session recover`, which saves what is whole.
 Result<SessionReader> openSession(const std::string& path);
 
 }  // namespace terratact
