@@ -102,6 +102,7 @@ void TruthPage::build()
     sides_ = new QComboBox(scene);
     sides_->addItems({tr("both sides"), tr("left side"), tr("right side")});
     sides_->setAccessibleName(tr("Shown sides"));
+    sides_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);  // high as the buttons
     connect(sides_, &QComboBox::currentIndexChanged, this,
             [this](int index) { view_->setSides(static_cast<TruthView::Sides>(index)); });
     accept_ = button(tr("&Accept"), tr("Keep the heights of this scene (A)"), &TruthPage::accept);

@@ -235,6 +235,8 @@ TEST_F(TruthBench, isReadableInEveryThemeAndSize)
             for (const QPushButton* control : page->findChildren<QPushButton*>()) {
                 EXPECT_TRUE(control->isVisible());
                 EXPECT_GE(control->width(), control->minimumSizeHint().width());
+                EXPECT_EQ(page->sidesChoice()->height(), control->height())
+                    << "the list looks like the buttons beside it";
             }
         }
 }
