@@ -152,7 +152,10 @@ private:
         if (const auto exact = exactTime(reader_.fields()[timeColumn_], unit_)) return *exact;
         const double time = *number * unit_ / kNanosecond;
         if (!(std::abs(time) < 9.2e18))
-            return reader_.error(fmt::format("column {} is no time", shown(columns_[timeColumn_])));
+            return reader_.error(fmt::format(
+                "column {} is {} times {} s, later than the year 2262: name its unit in the "
+                "mapping, such as [csv] time_unit = \"ns\"",
+                shown(columns_[timeColumn_]), numberText(*number), numberText(unit_)));
         return static_cast<std::int64_t>(std::llround(time));
     }
 

@@ -26,7 +26,6 @@ enum class McapOp : std::uint8_t {
     Chunk = 0x06,
     ChunkIndex = 0x08,
     Statistics = 0x0B,
-    DataEnd = 0x0F,
 };
 
 constexpr std::uint64_t kRecordHead = 9;                         // byte of the kind, length
@@ -198,6 +197,17 @@ private:
         remark(fmt::format("ends within the record at byte {}; it was read up to there", offset));
     }
 
+    /// Ends behind the footer. Files that were joined have more behind it.
+    void endsWith(std::uint64_t end)
+    {
+        ended_ = true;
+        if (end >= file_.size()) return;
+        remark(
+            fmt::format("ends at byte {}, and the {} bytes behind it are not read: if files were "
+                        "joined, split them there",
+                        end, file_.size() - end));
+    }
+
     /// Reads the file's next record. Returns false at its end.
     bool readRecord(RecordedMessage& message)
     {
@@ -208,9 +218,9 @@ private:
         ByteCursor in(head);
         const auto op = static_cast<McapOp>(in.number<std::uint8_t>());
         const auto length = in.number<std::uint64_t>();
-        if (op == McapOp::DataEnd || op == McapOp::Footer) return ended_ = true, false;
         if (length > file_.left()) return endsAt(offset), false;
         const std::uint64_t behind = file_.at() + length;
+        if (op == McapOp::Footer) return endsWith(behind + kMcapMagic.size()), false;
         if (op == McapOp::Chunk) {
             if (!canSkip(offset)) readChunk(offset, length);
         } else if (op == McapOp::Schema || op == McapOp::Channel || op == McapOp::Message) {

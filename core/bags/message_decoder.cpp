@@ -32,7 +32,8 @@ Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
                                      "with a newer program, or as MCAP",
                                      printable(topic.type)));
     } else if (topic.schemaEncoding != wanted) {
-        return Error(fmt::format("its definition has the encoding {}, expected {}",
+        return Error(fmt::format("its definition has the encoding {}, expected {}; record or "
+                                 "convert it with that",
                                  shown(topic.schemaEncoding), wanted));
     }
     auto schema = MessageSchema::parse(

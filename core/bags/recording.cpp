@@ -6,6 +6,8 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +19,64 @@
 #include "core/store/file_read.h"
 
 namespace terratact {
+namespace {
+
+constexpr std::string_view kExpected = "expected MCAP, a ROS 1 bag, a ROS 2 bag (.db3) or CSV";
+
+/// Returns how a compressed file is unpacked; empty: it is none.
+std::string_view unpackerOf(std::string_view begins)
+{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kPackers{
+        {{"\x1f\x8b", "gzip -d"},
+         {"\x28\xb5\x2f\xfd", "zstd -d"},
+         {"\x04\x22\x4d\x18", "lz4 -d"},
+         {"BZh", "bzip2 -d"},
+         {"\xfd"
+          "7zXZ",
+          "xz -d"}}};
+    for (const auto& [magic, command] : kPackers)
+        if (begins.starts_with(magic)) return command;
+    return {};
+}
+
+/// Returns the recordings in a folder, which a ROS 2 bag is.
+std::string recordingsIn(const std::string& folder)
+{
+    constexpr std::size_t kMost = 5;
+    std::error_code none;
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+        if (const auto end = entry.path().extension(); end == ".mcap" || end == ".db3")
+            names.insert(entry.path().filename().string());
+    std::string list;
+    std::size_t count = 0;
+    for (const std::string& name : names)
+        if (++count <= kMost) list += (list.empty() ? "" : ", ") + printable(name);
+    return names.size() > kMost ? list + ", …" : list;
+}
+
+/// Returns why a file that begins so is no recording; empty: it may be a CSV.
+std::string whyNoRecording(std::string_view begins)
+{
+    constexpr std::string_view kMcapName = "\x89MCAP";
+    if (begins.empty()) return fmt::format("is empty, {}: copy the recording again", kExpected);
+    if (const std::string_view unpack = unpackerOf(begins); !unpack.empty())
+        return fmt::format("is compressed as a whole: unpack it first ({})", unpack);
+    if (begins.starts_with(kMcapName))
+        return fmt::format("is MCAP of another version, {}, expected 0: convert it with the mcap "
+                           "program",
+                           shown(begins.substr(kMcapName.size(), 1)));
+    return {};
+}
+
+/// Returns true if the name promises another format than CSV.
+bool isNamedAsBag(const std::string& path)
+{
+    const std::string ending = std::filesystem::path(path).extension().string();
+    return ending == ".mcap" || ending == ".bag" || ending == ".db3";
+}
+
+}  // namespace
 
 Result<bool> Recording::read(RecordedMessage& message)
 {
@@ -68,15 +128,29 @@ Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const 
     if (std::filesystem::is_fifo(path, none) || std::filesystem::is_character_file(path, none))
         return fileError(path, "is a pipe or device, and a recording is read back and forth: save "
                                "it as a file first");
+    if (std::filesystem::is_directory(path, none)) {
+        const std::string inside = recordingsIn(path);
+        return fileError(path, inside.empty() ? fmt::format("is a folder, {}", kExpected)
+                                              : "is a folder, as a ROS 2 bag is one: give a file "
+                                                "in it: "
+                                                    + inside);
+    }
     std::ifstream file(path, std::ios::binary);
     std::array<char, 16> head{};
     file.read(head.data(), head.size());
     const std::string_view begins(head.data(), static_cast<std::size_t>(file.gcount()));
+    const bool isRead = file.is_open() && !file.bad();
     file.close();
     if (begins.starts_with(kMcapMagic)) return openMcap(path);
     if (begins.starts_with(kBagMagic)) return openBag(path);
     if (begins.starts_with("SQLite format 3")) return openDb3(path);
-    return openCsvRecording(path, csv);
+    if (const std::string why = isRead ? whyNoRecording(begins) : ""; !why.empty())
+        return fileError(path, why);
+    auto text = openCsvRecording(path, csv);
+    if (!text && isRead && isNamedAsBag(path))
+        return fileError(path, fmt::format("begins with {}, {}: copy the recording again",
+                                           shown(begins), kExpected));
+    return text;
 }
 
 }  // namespace terratact

@@ -9,6 +9,7 @@
 #include "core/bags/decompress.h"
 #include "tests/support/mcap_bytes.h"
 #include "tests/support/read_recording.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -64,6 +65,17 @@ TEST_F(McapFiles, aTornFileIsReadAsFarAsItGoes)
         EXPECT_EQ(found.remarks.size(), n == whole ? 1U : 2U) << "no index; the cut record";
     }
     EXPECT_EQ(read(mcap.torn()).messages.size(), 4U);
+}
+
+TEST_F(McapFiles, joinedFilesAreReadUpToTheFirstEnd)
+{
+    const std::string one = someMessages().chunk("lz4").file();
+    const ReadRecording found = read(one + one);
+    EXPECT_EQ(found.messages, all);
+    ASSERT_FALSE(found.remarks.empty());
+    EXPECT_NE(found.remarks.back().find(std::to_string(one.size()) + " bytes behind it"),
+              std::string::npos)
+        << found.remarks.back();
 }
 
 TEST_F(McapFiles, aDamagedChunkIsLeftOut)
@@ -127,6 +139,23 @@ TEST_F(McapFiles, messagesOfUnknownChannelsAreLeftOut)
     const ReadRecording found = read(mcap.file());
     EXPECT_EQ(found.messages, std::vector<std::string>{"/a 6 2.000000"});
     EXPECT_EQ(found.remarks.size(), 3U);
+}
+
+TEST_F(McapFiles, filesThatAreNoRecordingAreNamed)
+{
+    const auto refuses = [&](const std::string& name, const std::string& content,
+                             std::initializer_list<std::string_view> parts) {
+        const std::string file = directory.write(name, content);
+        return refused(openRecording(file), file, parts);
+    };
+    EXPECT_TRUE(refuses("a.mcap", "", {"is empty", "expected MCAP", "copy"}));
+    EXPECT_TRUE(refuses("a.mcap", "<!DOCTYPE html>", {"begins with '<!DOCTYPE", "expected MCAP"}));
+    EXPECT_TRUE(refuses("a.mcap", "\x89MCAP1\r\n and more", {"another version, '1'"}));
+    EXPECT_TRUE(refuses("a.mcap.zst", "\x28\xb5\x2f\xfd more", {"unpack", "zstd -d"}));
+    EXPECT_TRUE(refuses("a.bag.bz2", "BZh91AY", {"unpack", "bzip2 -d"}));
+    EXPECT_TRUE(
+        refused(openRecording(directory.file("")), directory.file(""), {"is a folder", "a.mcap"}));
+    EXPECT_TRUE(openRecording(directory.write("csv.bag", "t,x\n1,2\n"))) << "the content counts";
 }
 
 TEST(Decompress, everyCutIsRefused)
