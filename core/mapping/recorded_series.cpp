@@ -100,8 +100,16 @@ private:
     {
         for (const std::string& damage : recording_.consumeRemarks())
             if (damage.find("has no index") == std::string::npos)
-                return fileError(recording_.path(), fmt::format("{}; topic {}: {}", damage,
-                                                                printable(source.topic), cause));
+                return fileError(
+                    recording_.path(),
+                    recording_.topics().empty()
+                        ? damage
+                              + ": no topic lies before that; copy or record it "
+                                "again"
+                        : fmt::format("{}; topic {}: {}", damage, printable(source.topic), cause));
+        if (recording_.topics().empty())
+            return fileError(recording_.path(), "holds no topic and no message: it is cut, or "
+                                                "nothing was recorded; copy or record it again");
         return fileError(recording_.path(),
                          fmt::format("topic {}: {}; correct [{}] of the mapping",
                                      printable(source.topic), cause, source.table));
@@ -224,7 +232,6 @@ private:
     std::string missing(const FieldSource& source, const std::string& field,
                         std::uint64_t messages) const
     {
-        if (recording_.topics().empty()) return "the file has no topic that can be read";
         if (!hasTopic(source.topic))
             return fmt::format("the file has no such topic; its topics are {}", topicList());
         if (messages == 0) return "the topic has no message";
@@ -243,7 +250,7 @@ private:
                        fmt::format(
                            "{} values of {} are null or not finite; they count as not measured",
                            reader.notFinite, shown(reader.field)));
-            if (reader.texts > 0)
+            if (reader.texts > 0 && reader.found > 0)
                 remark(reader, fmt::format("{} values of {} are texts, expected numbers; they are "
                                            "left out",
                                            reader.texts, shown(reader.field)));
@@ -252,7 +259,10 @@ private:
                              fmt::format("all {} values of {} are null or not finite", reader.found,
                                          shown(reader.field)));
             if (reader.found > 0) continue;
-            const std::string cause = missing(*reader.source, reader.field, reader.messages);
+            const std::string cause =
+                reader.texts > 0 ? fmt::format("all {} values of {} are texts, expected numbers",
+                                               reader.texts, shown(reader.field))
+                                 : missing(*reader.source, reader.field, reader.messages);
             if (isNeeded(reader)) return fault(*reader.source, cause);
             if (!reader.source->isOptional && reported.insert(reader.source).second)
                 remark(reader, cause + "; it counts as not measured");
@@ -378,7 +388,8 @@ private:
             store(series_.series(Quantity::Roll), pose.time, angles.roll, isMeasured);
         }
         if (zeros == attitude_.size())
-            return fault(source.source, "all quaternions are 0: the sensor gives no orientation");
+            return fault(source.source,
+                         "all quaternions are 0 or not finite: the sensor gives no orientation");
         if (unmounted == attitude_.size())
             return fault(source.source,
                          fmt::format("no transforms {} are near the times of its messages; look at "
@@ -407,9 +418,9 @@ private:
             if (later <= 0 && sooner <= 0) continue;
             const double seconds = static_cast<double>(std::max(later, sooner)) * 1e-9;
             return fault(*reader.source,
-                         fmt::format("its times end {:.1f} s {} those of the pitch; use the "
-                                     "recorder's times ([time] source = \"recorder\") or delay_s",
-                                     seconds, later > 0 ? "after" : "before"));
+                         fmt::format("its times {} those of the pitch by {:.1f} s: the clocks "
+                                     "differ; use [time] source = \"recorder\", or delay_s",
+                                     later > 0 ? "begin after" : "end before", seconds));
         }
         return Done{};
     }

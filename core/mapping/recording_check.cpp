@@ -200,6 +200,45 @@ private:
     bool moved_ = false;
 };
 
+/// Adds the first step of the way that no robot makes.
+void addJumps(const RecordedSeries& series, Findings& findings)
+{
+    constexpr double kMaxSpeed = 5.0, kNoise = 0.3;  // [m/s], [m]
+    const SeriesSample* last = nullptr;
+    for (const SeriesSample& sample : series.of.at(static_cast<std::size_t>(Quantity::Travelled))) {
+        if (!sample.isMeasured) continue;
+        const double way = last ? std::abs(sample.value - last->value) : 0.0;
+        const double seconds = last ? static_cast<double>(sample.time - last->time) * 1e-9 : 0.0;
+        if (way > kNoise && way > kMaxSpeed * seconds) {
+            findings.push_back(
+                fmt::format("the way jumps {:.2f} m in {:.3f} s, faster than {} m/s: "
+                            "the poses jump, or millimetres are taken for metres; "
+                            "see scale",
+                            way, seconds, kMaxSpeed));
+            return;
+        }
+        last = &sample;
+    }
+}
+
+/// Adds the longest pause of the pitch, if the clock may have been set forward in it.
+void addPause(const RecordedSeries& series, Findings& findings)
+{
+    constexpr double kLongPause = 60.0;  // [s]
+    const Series& pitch = series.of.at(static_cast<std::size_t>(Quantity::Pitch));
+    std::int64_t longest = 0, at = 0;
+    for (std::size_t i = 1; i < pitch.size(); ++i)
+        if (pitch[i].time - pitch[i - 1].time > longest) {
+            longest = pitch[i].time - pitch[i - 1].time;
+            at = pitch[i - 1].time - pitch.front().time;
+        }
+    if (static_cast<double>(longest) * 1e-9 > kLongPause)
+        findings.push_back(fmt::format("has no pitch for {:.3f} s at {:.3f} s: the recording "
+                                       "paused, or its clock was set forward",
+                                       static_cast<double>(longest) * 1e-9,
+                                       static_cast<double>(at) * 1e-9));
+}
+
 std::set<std::string> mappedTopics(const Mapping& mapping)
 {
     std::set<std::string> topics;
@@ -237,6 +276,7 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
     if (!series) return series.error();
     for (std::string& remark : series->remarks) findings.push_back(std::move(remark));
     SeriesCheck(*series, mapping, findings).run();
+    addJumps(*series, findings);
     return findings;
 }
 
@@ -245,6 +285,8 @@ std::vector<std::string> importDoubts(const RecordedSeries& series, const Mappin
     Findings findings;
     for (std::size_t q = 0; q < static_cast<std::size_t>(Quantity::Activity); ++q)
         addUnits(static_cast<Quantity>(q), mapping, rangeOf(series.of.at(q)), findings);
+    addJumps(series, findings);
+    addPause(series, findings);
     if (mapping.byHeader)
         for (const auto& [topic, offset] : series.stampOffsets) addClock(topic, offset, findings);
     return findings;

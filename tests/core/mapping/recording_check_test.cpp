@@ -59,6 +59,19 @@ TEST_F(Checks, degreesTakenForRadiansAreFound)
     EXPECT_NE(other[0].find("stays within 0.10 degrees"), std::string::npos) << other[0];
 }
 
+TEST_F(Checks, aWayThatJumpsIsFound)
+{
+    const std::string mapping = csvMapping("[travelled]\nfield = \"c\"\n");
+    EXPECT_TRUE(doubts([](int i) { return pose(0.001 * i, 0.02 * i); }, mapping).empty());
+    const auto jump =
+        doubts([](int i) { return pose(0.001 * i, 0.02 * i + (i > 50 ? 40.0 : 0.0)); }, mapping);
+    ASSERT_EQ(jump.size(), 1U);
+    EXPECT_NE(jump[0].find("jumps 40.02 m in 0.100 s"), std::string::npos) << jump[0];
+    const auto mm = doubts([](int i) { return pose(0.001 * i, 20.0 * i); }, mapping);
+    ASSERT_EQ(mm.size(), 1U);
+    EXPECT_NE(mm[0].find("millimetres"), std::string::npos) << mm[0];
+}
+
 TEST_F(Checks, stuckAndSaturatedSensorsAreFound)
 {
     const auto stuck =
