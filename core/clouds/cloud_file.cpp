@@ -74,6 +74,20 @@ void CloudFile::goTo(std::uint64_t offset)
     used_ = 0;
 }
 
+Result<std::string> CloudFile::behind(std::string_view points)
+{
+    const std::uint64_t begin = at(), bytes = left();
+    if (bytes == 0) return std::string();
+    std::string all;
+    if (bytes <= kMaxPadding && read(kMaxPadding, all) == bytes
+        && all.find_first_not_of('\0') == std::string::npos)
+        return fmt::format("has {} zeros behind the {} that its header declares; they are not read",
+                           bytes, points);
+    return error(fmt::format("has {} bytes behind the {} that its header declares, from byte {} "
+                             "on: correct the header, or cut the file there",
+                             bytes, points, begin));
+}
+
 Error CloudFile::error(std::string_view cause) const
 {
     return fileError(path_, cause);

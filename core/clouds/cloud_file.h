@@ -12,7 +12,8 @@ namespace terratact {
 /// File of lines and bytes that is read in pieces: a cloud's header and its points.
 class CloudFile {
 public:
-    static constexpr std::size_t kMaxLine = 65'536;  ///< [bytes]
+    static constexpr std::size_t kMaxLine = 65'536;     ///< [bytes]
+    static constexpr std::size_t kMaxPadding = 65'536;  ///< [bytes]
 
     /// Errors are those of BagFile::open().
     static Result<CloudFile> open(const std::string& path);
@@ -31,6 +32,9 @@ public:
     std::uint64_t lines() const { return lines_; }  ///< lines read so far
     const std::string& path() const { return path_; }
 
+    /// Looks behind the last point, here. Zeros, at most kMaxPadding, are a remark: the Point Cloud Library fills its
+    /// files so. Returns it; empty: the file ends here. Errors: other bytes. points: "1000 points".
+    Result<std::string> behind(std::string_view points);
     Error error(std::string_view cause) const;      ///< "file: cause"
     Error lineError(std::string_view cause) const;  ///< "file: line 7: cause"
 

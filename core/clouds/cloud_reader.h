@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -45,14 +46,18 @@ public:
     std::uint64_t points() const { return points_; }  ///< points read so far
     /// Points left out so far: a coordinate is NaN, infinite, or farther than kFarthestPoint.
     std::uint64_t leftOut() const { return leftOut_; }
+    /// Returns what is unusual in the file, after its last point, without the file's name; empty: nothing.
+    const std::string& remark() const { return remark_; }
 
 protected:
     CloudReader() = default;
     /// Adds a point to the block, or counts it as left out.
     void add(std::vector<CloudPoint>& block, const CloudPoint& point);
+    void setRemark(std::string text) { remark_ = std::move(text); }
 
 private:
     std::uint64_t points_ = 0, leftOut_ = 0;
+    std::string remark_;
 };
 
 /// Opens a cloud by its content, whatever its name:

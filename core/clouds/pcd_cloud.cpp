@@ -107,6 +107,11 @@ private:
         if (!h.points && h.width)
             h.points = *h.width * std::min<std::uint64_t>(h.height.value_or(1), 1'000'000);
         if (!h.points) return file_.error("has neither POINTS nor WIDTH in its PCD header");
+        if (h.width && h.height
+            && (*h.height == 0 || *h.points % *h.height > 0 || *h.points / *h.height != *h.width))
+            return file_.error(fmt::format("POINTS is {}, but WIDTH and HEIGHT are {} and {}: "
+                                           "correct the PCD header",
+                                           *h.points, *h.width, *h.height));
         for (const auto* list : {&h.sizes, &h.types, &h.counts})
             if (!list->empty() && list->size() != h.fields.size())
                 return file_.error(
@@ -262,7 +267,7 @@ public:
     Result<bool> next(std::vector<CloudPoint>& block) override
     {
         block.clear();
-        if (left_ == 0) return false;
+        if (left_ == 0) return atEnd();
         const auto stride = static_cast<std::size_t>(header_.stride);
         const std::size_t count =
             std::min(nextCount(), std::max<std::size_t>(1, (1U << 20U) / stride));
@@ -284,6 +289,16 @@ public:
     }
 
 private:
+    /// Refuses a file whose header declares too few or too short points.
+    Result<bool> atEnd()
+    {
+        auto padding =
+            file_.behind(fmt::format("{} points of {} bytes", *header_.points, header_.stride));
+        if (!padding) return padding.error();
+        if (!padding->empty()) setRemark(*std::move(padding));
+        return false;
+    }
+
     CloudFile file_;
     std::string bytes_;
 };
@@ -292,9 +307,10 @@ private:
 /// own over the file, so that memory does not grow with it.
 class CompressedPcd : public PcdCloud {
 public:
-    CompressedPcd(std::vector<LzfStream> axes, PcdHeader header)
+    CompressedPcd(std::vector<LzfStream> axes, PcdHeader header, std::string padding)
         : PcdCloud(std::move(header)), axes_(std::move(axes))
     {
+        setRemark(std::move(padding));
     }
     std::string_view format() const override { return "PCD, compressed"; }
 
@@ -344,16 +360,20 @@ Result<std::unique_ptr<CloudReader>> openCompressedPcd(CloudFile file, PcdHeader
     if (packed > file.left())
         return file.error(fmt::format(
             "has {} of its {} compressed bytes: it is cut; write it again", file.left(), packed));
+    const std::uint64_t begin = file.at();
+    file.goTo(begin + packed);
+    auto padding = file.behind(fmt::format("{} compressed bytes", packed));
+    if (!padding) return padding.error();
     std::vector<LzfStream> axes;
     axes.reserve(3);
     for (int k = 0; k < 3; ++k) {
         auto own = CloudFile::open(file.path());
         if (!own) return own.error();
-        own->goTo(file.at());
+        own->goTo(begin);
         axes.emplace_back(*std::move(own), packed);
     }
     return std::unique_ptr<CloudReader>(
-        std::make_unique<CompressedPcd>(std::move(axes), std::move(header)));
+        std::make_unique<CompressedPcd>(std::move(axes), std::move(header), *std::move(padding)));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct PlyElement {
 struct PlyHeader {
     std::string format;
     std::vector<PlyElement> elements;  ///< up to the vertices
+    bool endsWithVertices = false;     ///< nothing follows them in the file
     std::array<std::size_t, 3> xyz{};
 };
 
@@ -145,6 +146,9 @@ private:
                     fmt::format("its vertices have no property {}: x, y and z are needed", name));
             header_.xyz.at(k) = static_cast<std::size_t>(found - vertex->properties.begin());
         }
+        header_.endsWithVertices =
+            std::all_of(vertex + 1, header_.elements.end(),
+                        [](const PlyElement& element) { return element.count == 0; });
         header_.elements.erase(vertex + 1, header_.elements.end());
         return Done{};
     }
@@ -168,7 +172,7 @@ public:
     {
         block.clear();
         if (Status done = passElementsBefore(); !done) return done.error();
-        if (left_ == 0) return false;
+        if (left_ == 0) return atEnd();
         for (auto i = std::min<std::uint64_t>(left_, kCloudBlock); i > 0; --i, --left_) {
             if (Status done = readItem(header_.elements.back()); !done) return done.error();
             add(block, {values_[header_.xyz[0]], values_[header_.xyz[1]], values_[header_.xyz[2]]});
@@ -191,6 +195,28 @@ private:
             header_.elements.erase(header_.elements.begin());
         }
         return Done{};
+    }
+
+    /// Refuses a file whose header declares too few vertices, if nothing else may follow them.
+    Result<bool> atEnd()
+    {
+        if (!header_.endsWithVertices) return false;
+        const std::string vertices = fmt::format("{} vertices", header_.elements.back().count);
+        if (!isText()) {
+            auto padding = file_.behind(vertices);
+            if (!padding) return padding.error();
+            if (!padding->empty()) setRemark(*std::move(padding));
+            return false;
+        }
+        for (;;) {
+            const auto more = file_.line(line_);
+            if (!more) return more.error();
+            if (!*more) return false;
+            splitCloudFields(line_, fields_);
+            if (!fields_.empty())
+                return file_.lineError(fmt::format(
+                    "is behind the {} that the header declares: correct their number", vertices));
+        }
     }
 
     /// Reads the properties of an item; lists are passed over.

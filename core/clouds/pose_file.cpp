@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/clouds/cloud_fields.h"
@@ -27,6 +28,16 @@ constexpr std::array<std::string_view, 8> kPoseColumns{"time", "x",  "y",  "z",
                                                        "qx",   "qy", "qz", "qw"};
 using PoseNumbers = std::array<double, kPoseColumns.size()>;
 
+/// Returns why times of this order of magnitude [s] are wrong: they may have another unit. ofSeconds: what they would
+/// be at most in seconds.
+std::string unitDoubt(double time, double ofSeconds)
+{
+    const double times = std::abs(time) / ofSeconds;
+    return fmt::format("are the times in {}? Seconds were expected", times > 1e6   ? "ns"
+                                                                     : times > 1e3 ? "µs"
+                                                                                   : "ms");
+}
+
 /// Collects the poses of each run; refuses those that no drive has.
 class PoseCollector {
 public:
@@ -46,6 +57,10 @@ public:
                 "qz qw; correct the columns",
                 turn.norm());
         turn.normalize();
+        constexpr double kLatest = 1e10;  // [s] since 1970: the year 2286
+        if (std::abs(v[0]) > kLatest)
+            return fmt::format("the time {:.0f} s lies after the year 2286: {}", v[0],
+                               unitDoubt(v[0], kLatest));
         if (++count_ > kMaxPoses) return fmt::format("there are more than {} poses", kMaxPoses);
         auto& entries = runs_[run];
         const Eigen::Vector3d place{v[1], v[2], v[3]};
@@ -60,8 +75,9 @@ public:
             if (way > kMinJump && way > limits_.maxSpeed * seconds)
                 return fmt::format(
                     "the pose jumps {:.2f} m in {:.3f} s, faster than {:.2f} m/s: cut the poses "
-                    "there, or raise --max-speed",
-                    way, seconds, limits_.maxSpeed);
+                    "there, or raise --max-speed{}",
+                    way, seconds, limits_.maxSpeed,
+                    1e-3 * way <= limits_.maxSpeed * seconds ? "; or are the places in mm?" : "");
         }
         entries.push_back({v[0], {place, turn}});
         return {};
@@ -97,7 +113,7 @@ std::size_t poseColumn(std::string_view name)
 class PoseFileReader {
 public:
     PoseFileReader(CloudFile file, const PoseLimits& limits)
-        : file_(std::move(file)), collector_(limits)
+        : file_(std::move(file)), collector_(limits), maxGap_(limits.maxGap)
     {
         for (std::size_t i = 0; i < columns_.size(); ++i) columns_.at(i) = i;
     }
@@ -125,10 +141,28 @@ public:
         auto tracks = std::move(collector_).tracks();
         if (tracks.empty())
             return file_.error("holds no pose: lines with time x y z qx qy qz qw were expected");
+        for (const auto& [run, track] : tracks)
+            if (const double apart = middleInterval(track); apart > std::max(kFarApart, maxGap_))
+                return file_.error(fmt::format("its poses are {:.0f} s apart in the middle: {}",
+                                               apart, unitDoubt(apart, kFarApart)));
         return tracks;
     }
 
 private:
+    static constexpr double kFarApart = 60.0;  // [s] between poses: no drive
+
+    static double middleInterval(const PoseTrack& track)
+    {
+        std::vector<double> intervals;
+        intervals.reserve(track.entries().size());
+        for (std::size_t i = 1; i < track.entries().size(); ++i)
+            intervals.push_back(track.entries()[i].time - track.entries()[i - 1].time);
+        if (intervals.empty()) return 0.0;
+        const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+        std::ranges::nth_element(intervals, middle);
+        return *middle;
+    }
+
     Status readHeader()
     {
         std::array<bool, kPoseColumns.size()> known{};
@@ -171,6 +205,7 @@ private:
 
     CloudFile file_;
     PoseCollector collector_;
+    double maxGap_;  ///< [s]
     std::string line_;
     std::vector<std::string_view> fields_;
     std::array<std::size_t, kPoseColumns.size()> columns_{};

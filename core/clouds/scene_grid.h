@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -59,6 +60,11 @@ public:
 
     /// Returns the kept heights of a cell, DEM frame [m].
     std::span<const float> heights(std::size_t place, TruthLine line, std::size_t cell) const;
+    /// Returns true if a point fell into a cell.
+    bool hasPoints() const
+    {
+        return std::ranges::any_of(counts_, [](auto n) { return n > 0; });
+    }
     /// Returns the number of points that fell into a cell.
     std::uint32_t count(std::size_t place, TruthLine line, std::size_t cell) const
     {

@@ -40,6 +40,7 @@ struct Clouds : testing::Test {
             all.insert(all.end(), block.begin(), block.end());
         }
         leftOut = (*cloud)->leftOut();
+        remark = (*cloud)->remark();
         return all;
     }
     testing::AssertionResult refuses(const std::string& content,
@@ -55,7 +56,7 @@ struct Clouds : testing::Test {
              + "\nHEIGHT 1\nPOINTS " + count + "\nDATA " + data + "\n";
     }
 
-    std::string format;
+    std::string format, remark;
     std::uint64_t leftOut = 0;
     TemporaryDirectory directory;
 };
@@ -194,6 +195,8 @@ TEST_F(Clouds, everyRefusalSaysWhatToDo)
     EXPECT_TRUE(refuses(header("x y", "2", "ascii"), {"FIELDS has no z"}));
     EXPECT_TRUE(refuses(header("x y z", "1", "ascii") + "1 2 3\n\n4 5 6\n",
                         {"line 10: is behind the 1 points", "correct POINTS"}));
+    EXPECT_TRUE(refuses("# .PCD v0.7\nFIELDS x y z\nWIDTH 2\nHEIGHT 2\nPOINTS 5\nDATA ascii\n",
+                        {"POINTS is 5", "WIDTH and HEIGHT are 2 and 2", "correct"}));
     EXPECT_TRUE(refuses("1,2.5;3;4\n", {"x is '1,2.5'", "no number"}));
     EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4", "2", "ascii"), {"FIELDS names 3 fields"}));
     EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4 2", "2", "ascii"), {"field z is no number"}));
@@ -203,6 +206,32 @@ TEST_F(Clouds, everyRefusalSaysWhatToDo)
     EXPECT_TRUE(refuses("ply\nformat ascii 1.0\nend_header\n", {"no element vertex"}));
     EXPECT_TRUE(refuses("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\n",
                         {"line 4: property"}));
+}
+
+TEST_F(Clouds, bytesBehindTheLastPointAreNamed)
+{
+    const std::string binary = header("x y z", "1", "binary") + std::string(12, '\0');
+    ASSERT_TRUE(read(binary));
+    EXPECT_EQ(remark, "");
+    EXPECT_TRUE(refuses(binary + "1234567",
+                        {"7 bytes behind the 1 points of 12 bytes", "cut the file there"}));
+    EXPECT_TRUE(refuses(binary + std::string(70'000, '\0'), {"70000 bytes behind"}));
+    ASSERT_TRUE(read(binary + std::string(7, '\0')));
+    EXPECT_NE(remark.find("7 zeros behind the 1 points"), std::string::npos) << remark;
+    const std::string packed =
+        header("x y z", "500", "binary_compressed") + compressed(manyPoints(500));
+    ASSERT_TRUE(read(packed + std::string(9, '\0')));
+    EXPECT_NE(remark.find("9 zeros behind"), std::string::npos) << remark;
+    EXPECT_TRUE(refuses(packed + "x", {"has 1 bytes behind the", "compressed bytes"}));
+    const std::string properties = "property float x\nproperty float y\nproperty float z\n";
+    const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + properties
+                          + "element face 0\nend_header\n" + std::string(12, '\0');
+    ASSERT_TRUE(read(ply));
+    EXPECT_TRUE(refuses(ply + "xy", {"has 2 bytes behind the 1 vertices"}));
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 1\n" + properties + "end_header\n1 2 3\n";
+    ASSERT_TRUE(read(text + "\n"));
+    EXPECT_TRUE(refuses(text + "4 5 6\n", {"line 9: is behind the 1 vertices", "correct"}));
 }
 
 TEST_F(Clouds, aHeaderThatLiesCostsNoMemory)

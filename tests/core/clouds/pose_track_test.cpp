@@ -1,6 +1,7 @@
 // Tests poses: files, limits and interpolation.
 #include "core/clouds/pose_track.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,6 +46,24 @@ TEST_F(Poses, tumIsInterpolatedWithinTheGap)
     EXPECT_TRUE(track.at(20.0));
     EXPECT_FALSE(track.at(9.9));
     EXPECT_FALSE(track.at(20.1));
+}
+
+TEST_F(Poses, unitsAreDoubted)
+{
+    const auto drive = [](double unit, double length) {
+        std::string text;
+        for (int i = 0; i < 9; ++i)
+            text += fmt::format("{} {} 0 0 0 0 0 1\n", 0.4 * i * unit, 0.5 * i * length);
+        return text;
+    };
+    ASSERT_TRUE(read(drive(1.0, 1.0)));
+    EXPECT_TRUE(refuses(drive(1e3, 1.0), {"400 s apart", "are the times in ms?"}));
+    EXPECT_TRUE(refuses(drive(1e6, 1.0), {"are the times in µs?"}));
+    EXPECT_TRUE(refuses(drive(1e9, 1.0), {"400000000 s apart", "are the times in ns?"}));
+    EXPECT_TRUE(refuses(drive(1.0, 1e3), {"line 2: the pose jumps 500.00 m", "in mm?"}));
+    EXPECT_TRUE(
+        refuses("1793000000123 0 0 0 0 0 0 1\n", {"line 1: the time", "are the times in ms?"}));
+    EXPECT_TRUE(refuses("1793000000123000000 0 0 0 0 0 0 1\n", {"2286", "are the times in ns?"}));
 }
 
 TEST_F(Poses, csvHasRunsAndAnyOrder)
