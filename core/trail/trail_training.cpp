@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/random_unit.h"
+#include "core/learn/data/scene.h"
 #include "core/learn/data/side_features.h"
 #include "core/learn/model/clearance.h"
 #include "core/learn/model/surface_rows.h"
@@ -23,15 +24,10 @@ constexpr Eigen::Index kTrailSides = 2;
 constexpr double kLeastSd = 1e-6;
 constexpr double kFewestScenes = 30.0;  // of a regime that counts as trained
 
-bool isKnown(const OptionalHeights& heights)
-{
-    return std::ranges::all_of(heights, [](const auto& h) { return h.has_value(); });
-}
-
 /// Returns true if a scene has everything that a row needs.
 bool isUsable(const DriveLine& scene, bool sides)
 {
-    if (!isKnown(scene.truth[0]) || !isKnown(scene.truth[1])) return false;
+    if (!knowsHeights(scene.truth[0]) && !knowsHeights(scene.truth[1])) return false;
     if (!sides) return missingFeatures(proprioception(scene.line)).none();
     return absentFeatures(twoTrackReadings(scene.line), Side::Left).none();
 }
@@ -40,14 +36,14 @@ bool isUsable(const DriveLine& scene, bool sides)
 struct TrailRow {
     Eigen::VectorXd inputs;
     Heights ceiling{};
-    OptionalHeights truth{};
+    OptionalHeights truth{}, truthSd{};
 };
 
 TrailRow planeRow(const DriveLine& scene, const TrailHistory& history, const RobotModel& robot)
 {
     const Proprioception s = proprioception(scene.line);
     const Heights ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
-    return {planeInputs(s, history, ceiling), ceiling, scene.truth[0]};
+    return {planeInputs(s, history, ceiling), ceiling, scene.truth[0], scene.truthSd[0]};
 }
 
 TrailRow sideRow(const DriveLine& scene, Side side, const TrailHistory& history,
@@ -55,8 +51,8 @@ TrailRow sideRow(const DriveLine& scene, Side side, const TrailHistory& history,
 {
     const TwoTrackReadings s = twoTrackReadings(scene.line);
     const Heights ceiling = sideCeiling(robot, s, side);
-    return {sideInputs(s, side, history, ceiling), ceiling,
-            scene.truth[side == Side::Left ? 0 : 1]};
+    const std::size_t k = side == Side::Left ? 0 : 1;
+    return {sideInputs(s, side, history, ceiling), ceiling, scene.truth.at(k), scene.truthSd.at(k)};
 }
 
 bool isForErrors(int drive)
@@ -97,7 +93,8 @@ TrailRows asColumns(const std::vector<TrailRow>& rows, Eigen::Index inputs)
     const Eigen::Index n = std::ssize(rows);
     TrailRows all;
     all.inputs.resize(inputs, n);
-    all.heights.resize(kBins, n);
+    all.heights = Eigen::MatrixXd::Zero(kBins, n);
+    all.weights = Eigen::MatrixXf::Zero(kBins, n);
     all.ceilings.resize(kBins, n);
     all.covered.reserve(rows.size());
     for (Eigen::Index u = 0; u < n; ++u) {
@@ -105,8 +102,10 @@ TrailRows asColumns(const std::vector<TrailRow>& rows, Eigen::Index inputs)
         all.inputs.col(u) = row.inputs.cast<float>();
         for (Eigen::Index i = 0; i < kBins; ++i) {
             const auto bin = static_cast<std::size_t>(i);
-            all.heights(i, u) = *row.truth[bin];
             all.ceilings(i, u) = row.ceiling[bin];
+            if (!row.truth[bin]) continue;
+            all.heights(i, u) = *row.truth[bin];
+            all.weights(i, u) = static_cast<float>(trailWeight(row.truthSd[bin].value_or(0.0)));
         }
         all.covered.push_back(coveredBins(row.ceiling));
     }
@@ -149,24 +148,29 @@ void writeScales(TrailNetworks& networks, const TrailRows& rows,
 {
     for (Eigen::Index bin = 0; bin < kBins; ++bin)
         for (const bool covered : {false, true}) {
-            double sum = 0.0, squares = 0.0, count = 0.0;
+            double sum = 0.0, squares = 0.0, weights = 0.0, count = 0.0;
             for (const Eigen::Index u : columns) {
                 if (isCovered(rows.covered[static_cast<std::size_t>(u)], static_cast<int>(bin))
                     != covered)
                     continue;
+                const auto weight = static_cast<double>(rows.weights(bin, u));
+                if (weight == 0.0) continue;
                 const double y = surfaceAt(rows, bin, u);
-                sum += y;
-                squares += y * y;
+                sum += weight * y;
+                squares += weight * y * y;
+                weights += weight;
                 count += 1.0;
             }
             if (count < kFewestScenes) continue;
-            const double mean = sum / count;
+            const double mean = sum / weights;
             scaleIn(networks, bin, covered) = {
-                mean, std::max(std::sqrt(std::max(squares / count - mean * mean, 0.0)), kLeastSd)};
+                mean,
+                std::max(std::sqrt(std::max(squares / weights - mean * mean, 0.0)), kLeastSd)};
         }
 }
 
-/// Returns the surface coordinates of a column, in sd of TrailScale; 0 in a regime without scale.
+/// Returns the surface coordinates of a column, in sd of TrailScale; 0 in a regime without scale and for an unknown
+/// height.
 Eigen::VectorXf targetOf(TrailNetworks& networks, const TrailRows& rows, Eigen::Index u)
 {
     Eigen::VectorXf target = Eigen::VectorXf::Zero(Eigen::Index{kBins});
@@ -174,7 +178,7 @@ Eigen::VectorXf targetOf(TrailNetworks& networks, const TrailRows& rows, Eigen::
         const TrailScale& scale =
             scaleIn(networks, bin,
                     isCovered(rows.covered[static_cast<std::size_t>(u)], static_cast<int>(bin)));
-        if (scale.sd > 0.0)
+        if (scale.sd > 0.0 && rows.weights(bin, u) > 0.0F)
             target[bin] = static_cast<float>((surfaceAt(rows, bin, u) - scale.mean) / scale.sd);
     }
     return target;
@@ -186,11 +190,28 @@ Eigen::VectorXf rounded(const Eigen::VectorXf& values)
     return values.unaryExpr([](float value) { return errorOfSteps(errorSteps(value)); });
 }
 
+/// Returns the columns of the scenes for the errors whose heights are all known.
+std::vector<Eigen::Index> completeColumns(const TrailRows& rows, Eigen::Index sides)
+{
+    const std::vector<Eigen::Index> all = columnsWhere(rows, true);
+    std::vector<Eigen::Index> columns;
+    columns.reserve(all.size());
+    for (std::size_t u = 0; u + static_cast<std::size_t>(sides) <= all.size();
+         u += static_cast<std::size_t>(sides))
+        if ((rows.weights.middleCols(all[u], sides).array() > 0.0F).all())
+            for (Eigen::Index side = 0; side < sides; ++side) columns.push_back(all[u] + side);
+    return columns;
+}
+
 void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index sides)
 {
-    const std::vector<Eigen::Index> columns = columnsWhere(rows, true);
+    const std::vector<Eigen::Index> columns = completeColumns(rows, sides);
     const Eigen::Index scenes =
         std::min<Eigen::Index>(std::ssize(columns) / sides, kMaxTrailErrors);
+    if (scenes == 0)
+        throw std::invalid_argument(
+            "trail networks: no scene of every tenth drive, from the first, knows all heights, and "
+            "these give the bands: map the places better, or add drives");
     TrailErrors& errors = networks.errors;
     errors.predicted.resize(sides * kBins, scenes);
     errors.residual.resize(sides * kBins, scenes);
@@ -216,6 +237,11 @@ void inTurn(int count, const std::function<void(int)>& work)
 }
 
 }  // namespace
+
+double trailWeight(double s)
+{
+    return kTrailSpread * kTrailSpread / (kTrailSpread * kTrailSpread + s * s);
+}
 
 TrailRows trailRows(std::span<const DriveLines> drives, int number, const RobotModel& robot,
                     bool sides, std::uint64_t seed, const Poll& poll)
@@ -247,12 +273,14 @@ TrailRows joined(std::span<const TrailRows> parts)
     TrailRows all;
     all.inputs.resize(inputs, n);
     all.heights.resize(kBins, n);
+    all.weights.resize(kBins, n);
     all.ceilings.resize(kBins, n);
     Eigen::Index first = 0;
     for (const TrailRows& part : parts) {
         const Eigen::Index count = part.inputs.cols();
         all.inputs.middleCols(first, count) = part.inputs;
         all.heights.middleCols(first, count) = part.heights;
+        all.weights.middleCols(first, count) = part.weights;
         all.ceilings.middleCols(first, count) = part.ceilings;
         all.covered.insert(all.covered.end(), part.covered.begin(), part.covered.end());
         all.drive.insert(all.drive.end(), part.drive.begin(), part.drive.end());
@@ -279,11 +307,13 @@ TrailNetworks trainTrail(const TrailRows& rows, bool sides, const TrailOptions& 
     Eigen::MatrixXf targets(Eigen::Index{kBins}, inputs.cols());
     for (Eigen::Index u = 0; u < targets.cols(); ++u)
         targets.col(u) = targetOf(networks, rows, columns[static_cast<std::size_t>(u)]);
+    const Eigen::MatrixXf weights = rows.weights(Eigen::all, columns);
     networks.networks.resize(static_cast<std::size_t>(options.networks));
     const auto train = [&](int k) {
         NetworkOptions own = options.network;
         own.seed += static_cast<std::uint64_t>(k);
-        networks.networks[static_cast<std::size_t>(k)] = trainNetwork(inputs, targets, own, poll);
+        networks.networks[static_cast<std::size_t>(k)] =
+            trainNetwork(inputs, targets, own, poll, weights);
     };
     if (sideBySide)
         sideBySide(options.networks, train);

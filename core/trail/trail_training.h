@@ -18,12 +18,19 @@ namespace terratact {
 /// left and then the right side of each scene.
 struct TrailRows {
     Eigen::MatrixXf inputs;    ///< planeInputs() or sideInputs()
-    Eigen::MatrixXd heights;   ///< 11 × n [m]
+    Eigen::MatrixXd heights;   ///< 11 × n [m]; 0 where they are unknown
+    Eigen::MatrixXf weights;   ///< 11 × n, trailWeight() of each height; 0 where it is unknown
     Eigen::MatrixXd ceilings;  ///< 11 × n [m], +infinity where the robot does not cover the bin
     std::vector<unsigned> covered;  ///< covered bins
     std::vector<int> drive;         ///< number of the drive
-    int leftOut = 0;                ///< scenes that lack a feature or a height
+    int leftOut = 0;                ///< scenes that lack a feature or every height
 };
+
+/// Error of the networks on exact heights [m], rounded (docs/memory.md).
+inline constexpr double kTrailSpread = 0.02;
+
+/// Returns the weight of a height with the sd s [m] in the loss and the scales: kTrailSpread² / (kTrailSpread² + s²).
+double trailWeight(double s);
 
 /// Share of the scenes for training that know only a part of their way. From them the networks
 /// learn what a cut memory tells.
@@ -47,9 +54,9 @@ struct TrailOptions {
     NetworkOptions network{};
 };
 
-/// Trains the networks on all drives but every kErrorDrives-th, which gives the errors. sides: rows of
-/// both sides. sideBySide: runs the networks' trainings in parallel; empty: one after the other. The
-/// result is the same. Throws std::invalid_argument for too few rows.
+/// Trains the networks on all drives but every kErrorDrives-th, whose scenes with all heights give the errors. sides:
+/// rows of both sides. sideBySide: runs the networks' trainings in parallel; empty: one after the other. The
+/// result is the same. Throws std::invalid_argument for too few rows, or too few scenes with all heights for the errors.
 TrailNetworks trainTrail(const TrailRows& rows, bool sides, const TrailOptions& options,
                          const ForEach& sideBySide = {}, const Poll& poll = {});
 

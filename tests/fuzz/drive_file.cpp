@@ -35,16 +35,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     file().write(data, size);
     const Result<DriveFile> read = readDrives(file().path());
     if (!read) return promiseRefusal(read.error(), file().path()), 0;
-    std::string text = drivesHeader(read->drives.front().onePlane);
+    std::string text = drivesHeader(read->drives.front().onePlane, DriveColumns::Measured);
     for (const DriveLines& drive : read->drives) {
         promiseDrive(drive);
-        text += driveText(drive);
+        text += driveText(drive, DriveColumns::Measured);
     }
     file().write(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     const Result<DriveFile> again = readDrives(file().path());
     promise(again && again->drives.size() == read->drives.size(), "drives are read again");
-    std::string second = drivesHeader(read->drives.front().onePlane);
-    for (const DriveLines& drive : again->drives) second += driveText(drive);
+    std::string second = drivesHeader(read->drives.front().onePlane, DriveColumns::Measured);
+    for (const DriveLines& drive : again->drives)
+        second += driveText(drive, DriveColumns::Measured);
     promise(second == text, "rounded drives survive being written and read");
     return 0;
 }

@@ -1,9 +1,11 @@
 #include "core/learn/data/drive_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 
@@ -18,11 +20,16 @@ namespace {
 constexpr std::size_t kWayKind = 0, kSceneKind = 1;
 constexpr std::size_t kDriveColumns = 1;  // numbers before those of a scene: travelled_m
 
-/// Returns the columns of drives: those of scenes without the last `sds`, which hold the sd of heights.
-SceneColumns withTravelled(SceneColumns columns, std::size_t sds)
+/// Returns the columns of drives: those of scenes, and turned_rad behind them. Without `sds`, the last columns of
+/// scenes, which hold the sd of heights, and turned_rad are left out.
+SceneColumns withTravelled(SceneColumns columns, std::size_t sds, DriveColumns kind)
 {
-    columns.columns.erase(columns.columns.end() - static_cast<std::ptrdiff_t>(sds),
-                          columns.columns.end());
+    if (kind == DriveColumns::Measured)
+        columns.columns.push_back(
+            Column{"turned_rad", "rad", -1e6, 1e6, {"", "is it in degrees?"}});
+    else
+        columns.columns.erase(columns.columns.end() - static_cast<std::ptrdiff_t>(sds),
+                              columns.columns.end());
     columns.columns.insert(columns.columns.begin(),
                            Column{"travelled_m", "m", -1e6, 1e6, {"", "is it in mm?"}});
     columns.neverEmpty += kDriveColumns;
@@ -32,20 +39,31 @@ SceneColumns withTravelled(SceneColumns columns, std::size_t sds)
     return columns;
 }
 
-const SceneColumns& driveColumns(bool onePlane)
+const SceneColumns& driveColumns(bool onePlane, DriveColumns kind = DriveColumns::Measured)
 {
-    static const SceneColumns plane = withTravelled(planeSceneColumns(), kPlaneSdColumns);
-    static const SceneColumns tracks = withTravelled(twoTrackSceneColumns(), kTwoTrackSdColumns);
-    return onePlane ? plane : tracks;
+    using enum DriveColumns;
+    static const auto plane = [](DriveColumns k) {
+        return withTravelled(planeSceneColumns(), kPlaneSdColumns, k);
+    };
+    static const auto tracks = [](DriveColumns k) {
+        return withTravelled(twoTrackSceneColumns(), kTwoTrackSdColumns, k);
+    };
+    static const std::array<SceneColumns, 4> all{plane(Simulated), plane(Measured),
+                                                 tracks(Simulated), tracks(Measured)};
+    return all.at((onePlane ? 0U : 2U) + (kind == Measured ? 1U : 0U));
 }
 
-DriveLine driveLineOf(const TwoTrackScene& scene, bool isScene, double travelled)
+DriveLine driveLineOf(const TwoTrackScene& scene, const SceneFileRow& row)
 {
-    DriveLine line{.line = measurementOf(scene.s), .isScene = isScene, .truth = scene.truth};
+    const bool isScene = row.kind == kSceneKind;
+    DriveLine line{.line = measurementOf(scene.s),
+                   .isScene = isScene,
+                   .truth = scene.truth,
+                   .truthSd = scene.truthSd};
     line.line.time = scene.time;
     line.line.activity = isScene ? RobotActivity::Pressed : RobotActivity::Driving;
-    line.line.travelled = travelled;
-    line.line.turned = 0.0;
+    line.line.travelled = row.values.front().value();
+    line.line.turned = row.values.back();
     return line;
 }
 
@@ -53,7 +71,7 @@ DriveLine driveLineOf(const SceneFileRow& row, bool onePlane)
 {
     return driveLineOf(onePlane ? onBothSides(planeSceneOf(row, kDriveColumns))
                                 : twoTrackSceneOf(row, kDriveColumns),
-                       row.kind == kSceneKind, row.values[0].value());
+                       row);
 }
 
 bool hasHeights(const std::array<OptionalHeights, 2>& truth)
@@ -66,9 +84,9 @@ bool hasHeights(const std::array<OptionalHeights, 2>& truth)
 /// Collects the lines of each drive, and passes it on when the next one begins.
 class DriveCollector {
 public:
-    DriveCollector(const CsvReader& csv, bool onePlane,
+    DriveCollector(const CsvReader& csv, bool onePlane, bool turns,
                    const std::function<void(DriveLines&&)>& add)
-        : csv_(csv), add_(add), drive_{.run = {}, .onePlane = onePlane, .lines = {}}
+        : csv_(csv), add_(add), turns_(turns), drive_{.run = {}, .onePlane = onePlane, .lines = {}}
     {
     }
 
@@ -77,7 +95,8 @@ public:
         if (row.run != drive_.run)
             if (Status begun = begin(row.run); !begun) return begun;
         DriveLine line = driveLineOf(row, drive_.onePlane);
-        if (!line.isScene && hasHeights(line.truth))
+        if (!turns_) line.line.turned = 0.0;
+        if (!line.isScene && (hasHeights(line.truth) || hasHeights(line.truthSd)))
             return csv_.error("has heights, which only lines of kind scene have");
         if (!drive_.lines.empty() && line.line.time < drive_.lines.back().line.time)
             return csv_.error("t_s is " + numberText(line.line.time) + " after "
@@ -106,6 +125,7 @@ private:
 
     const CsvReader& csv_;
     const std::function<void(DriveLines&&)>& add_;
+    bool turns_;  ///< the file has a column turned_rad
     DriveLines drive_;
     std::unordered_set<std::string> seen_;
 };
@@ -119,30 +139,40 @@ double toResolution(double value)
 /// Returns the row of a line of a drive in one plane.
 SceneFileRow planeRow(const DriveLine& line)
 {
-    const Scene scene{
-        .run = {}, .time = {}, .s = proprioception(line.line), .truth = line.truth[0]};
-    if (onBothSides(scene).s != twoTrackReadings(line.line) || line.truth[1] != line.truth[0])
+    const Scene scene{.run = {},
+                      .time = {},
+                      .s = proprioception(line.line),
+                      .truth = line.truth[0],
+                      .truthSd = line.truthSd[0]};
+    if (onBothSides(scene).s != twoTrackReadings(line.line) || line.truth[1] != line.truth[0]
+        || line.truthSd[1] != line.truthSd[0])
         throw std::invalid_argument("driveText: the sides of one plane differ");
     return sceneRow(scene);
 }
 
 SceneFileRow trackRow(const DriveLine& line)
 {
-    return sceneRow(TwoTrackScene{
-        .run = {}, .time = {}, .s = twoTrackReadings(line.line), .truth = line.truth});
+    return sceneRow(TwoTrackScene{.run = {},
+                                  .time = {},
+                                  .s = twoTrackReadings(line.line),
+                                  .truth = line.truth,
+                                  .truthSd = line.truthSd});
 }
 
-SceneFileRow driveRow(const DriveLines& drive, const DriveLine& line)
+SceneFileRow driveRow(const DriveLines& drive, const DriveLine& line,
+                      DriveColumns columns = DriveColumns::Measured)
 {
     if (!line.line.travelled) throw std::invalid_argument("driveText: a line without travelled");
-    if (!line.isScene && hasHeights(line.truth))
+    if (!line.isScene && (hasHeights(line.truth) || hasHeights(line.truthSd)))
         throw std::invalid_argument("driveText: a line of the way has heights");
     SceneFileRow row = drive.onePlane ? planeRow(line) : trackRow(line);
     row.run = drive.run;
     row.time = toResolution(line.line.time);
     row.kind = line.isScene ? kSceneKind : kWayKind;
     row.values.insert(row.values.begin(), line.line.travelled);
-    row.values.resize(driveColumns(drive.onePlane).columns.size());
+    row.values.push_back(line.line.turned);
+    if (columns == DriveColumns::Simulated)
+        row.values.resize(driveColumns(drive.onePlane, columns).columns.size());
     for (std::optional<double>& value : row.values)
         if (value) value = toResolution(*value);
     return row;
@@ -158,8 +188,11 @@ Result<std::vector<Message>> readDrives(const std::string& path,
     Result<CsvReader> csv = CsvReader::over(path, *std::move(text));
     if (!csv) return csv.error();
     if (const Result<bool> first = csv->next(); !first) return first.error();
-    const bool onePlane = std::ranges::find(csv->fields(), "roll_rad") == csv->fields().end();
-    DriveCollector collector(*csv, onePlane, add);
+    const auto has = [&](std::string_view column) {
+        return std::ranges::find(csv->fields(), column) != csv->fields().end();
+    };
+    const bool onePlane = !has("roll_rad");
+    DriveCollector collector(*csv, onePlane, has("turned_rad"), add);
     auto notices = readSceneRows(*csv, driveColumns(onePlane),
                                  [&](const SceneFileRow& row) { return collector.add(row); });
     if (notices) collector.finish();
@@ -176,16 +209,16 @@ Result<DriveFile> readDrives(const std::string& path)
     return file;
 }
 
-std::string drivesHeader(bool onePlane)
+std::string drivesHeader(bool onePlane, DriveColumns columns)
 {
-    return sceneHeader(driveColumns(onePlane));
+    return sceneHeader(driveColumns(onePlane, columns));
 }
 
-std::string driveText(const DriveLines& drive)
+std::string driveText(const DriveLines& drive, DriveColumns columns)
 {
     std::string text;
     for (const DriveLine& line : drive.lines)
-        text += sceneLine(driveColumns(drive.onePlane), driveRow(drive, line));
+        text += sceneLine(driveColumns(drive.onePlane, columns), driveRow(drive, line, columns));
     return text;
 }
 

@@ -15,6 +15,7 @@ struct DriveLine {
     Measurement line;
     bool isScene = false;                    ///< the robot stands with pressed flippers
     std::array<OptionalHeights, 2> truth{};  ///< left, right; of one plane equal; empty on the way
+    std::array<OptionalHeights, 2> truthSd{};  ///< [m] sd of each true height; empty: exact
     bool operator==(const DriveLine&) const = default;
 };
 

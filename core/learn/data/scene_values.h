@@ -15,11 +15,11 @@ const SceneColumns& planeSceneColumns();
 /// Returns the columns of scenes of two tracks (core/learn/data/two_track_scene_file.h).
 const SceneColumns& twoTrackSceneColumns();
 
-/// Number of the last columns that hold the heights' sd, which a drive file does not have.
+/// Number of the last columns that hold the heights' sd.
 inline constexpr std::size_t kPlaneSdColumns = kBins, kTwoTrackSdColumns = 2 * std::size_t{kBins};
 
-/// Return the scene of a row. The numbers of the scene begin at row.values[first]. The columns of the sd may be
-/// missing.
+/// Return the scene of a row. The numbers of the scene begin at row.values[first]; more may follow them. The columns of
+/// the sd may be missing.
 Scene planeSceneOf(const SceneFileRow& row, std::size_t first = 0);
 TwoTrackScene twoTrackSceneOf(const SceneFileRow& row, std::size_t first = 0);
 

@@ -104,14 +104,16 @@ public:
         }
     }
 
-    /// One step on a batch.
-    void learn(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targets, long t, double rate)
+    /// One step on a batch. weights: as those of trainNetwork().
+    void learn(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targets,
+               const Eigen::MatrixXf& weights, long t, double rate)
     {
         forward(inputs);
         const auto h = static_cast<float>(options_.huber);
         const auto count = static_cast<float>(targets.size());
         Eigen::MatrixXf gradient =
             ((activation_.back() - targets).array() / h).max(-1.0F).min(1.0F).matrix() / count;
+        if (weights.size() > 0) gradient.array() *= weights.array();
         for (std::size_t k = network_.layers.size(); k > 0; --k)
             gradient = backward(k - 1, gradient, t, static_cast<float>(rate));
     }
@@ -159,8 +161,13 @@ private:
 };
 
 void requireTrainable(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targets,
-                      const NetworkOptions& options)
+                      const Eigen::MatrixXf& weights, const NetworkOptions& options)
 {
+    const bool isWeighted = weights.size() > 0;
+    if (isWeighted
+        && (weights.rows() != targets.rows() || weights.cols() != targets.cols()
+            || !(weights.array() >= 0.0F).all() || !(weights.array() <= 1.0F).all()))
+        throw std::invalid_argument("a network's weights are one number of 0 to 1 per target");
     if (options.epochs < 1 || options.batch < 1 || !(options.peakRate > 0.0)
         || !(options.weightDecay >= 0.0) || !(options.huber > 0.0)
         || std::ranges::any_of(options.hidden, [](Eigen::Index width) { return width < 1; }))
@@ -175,9 +182,10 @@ void requireTrainable(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targ
 }  // namespace
 
 Network trainNetwork(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targets,
-                     const NetworkOptions& options, const Poll& poll)
+                     const NetworkOptions& options, const Poll& poll,
+                     const Eigen::MatrixXf& weights)
 {
-    requireTrainable(inputs, targets, options);
+    requireTrainable(inputs, targets, weights, options);
     std::mt19937_64 rng(options.seed);
     Learner learner(firstWeights(inputs.rows(), targets.rows(), options, rng), options);
     std::vector<Eigen::Index> order(static_cast<std::size_t>(inputs.cols()));
@@ -192,7 +200,9 @@ Network trainNetwork(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targe
             const Eigen::Map<const Eigen::Array<Eigen::Index, Eigen::Dynamic, 1>> rows(
                 order.data() + b * options.batch, options.batch);
             ++t;
-            learner.learn(inputs(Eigen::all, rows), targets(Eigen::all, rows), t,
+            Eigen::MatrixXf weighted;
+            if (weights.size() > 0) weighted = weights(Eigen::all, rows);
+            learner.learn(inputs(Eigen::all, rows), targets(Eigen::all, rows), weighted, t,
                           stepSize(t, steps, options.peakRate));
         }
     }

@@ -109,6 +109,81 @@ TEST(TrailModel, FileKeepsEveryBit)
     EXPECT_EQ(before.sides(both, {0x1FF, 0xFF}).mean, after.sides(both, {0x1FF, 0xFF}).mean);
 }
 
+/// Returns eleven drives, and each of them twice more with heights that are 0.3 m too high, with this sd.
+std::vector<DriveLines> spoiltDrives(std::optional<double> sd)
+{
+    std::vector<DriveLines> drives;
+    drives.reserve(33);
+    for (std::uint64_t k = 0; k < 11; ++k) drives.push_back(driveOnPlane(k));
+    for (std::size_t k = 0; k < 22; ++k) {
+        drives.push_back(drives[k % 11]);
+        for (DriveLine& line : drives.back().lines)
+            for (std::size_t side = 0; line.isScene && side < 2; ++side)
+                for (std::size_t bin = 0; bin < kBins; ++bin) {
+                    *line.truth.at(side)[bin] += 0.3;
+                    line.truthSd.at(side)[bin] = sd;
+                }
+    }
+    return drives;
+}
+
+/// Returns the mean error of networks on the farthest bin of one of their drives [m].
+double biasOf(const std::vector<DriveLines>& drives)
+{
+    const TrailNetworks networks =
+        trainTrail(trailRows(drives, 0, absolem(), false, 1), false, quick());
+    const DriveLines judged = driveOnPlane(1);
+    const TrailRows rows = trailRows({&judged, 1}, 1, absolem(), false, 1);
+    constexpr Eigen::Index kFarthest = kBins - 1;
+    const TrailScale& scale = networks.open[kFarthest];
+    double sum = 0.0;
+    for (Eigen::Index u = 0; u < rows.inputs.cols(); ++u) {
+        const double output =
+            static_cast<double>(meanOutput(networks, rows.inputs.col(u).cast<double>())[kFarthest]);
+        sum += scale.mean + scale.sd * output - rows.heights(kFarthest, u);
+    }
+    return sum / static_cast<double>(rows.inputs.cols());
+}
+
+TEST(TrailTraining, HeightsOfALargeSdCountLess)
+{
+    EXPECT_EQ(trailWeight(0.0), 1.0);
+    EXPECT_DOUBLE_EQ(trailWeight(kTrailSpread), 0.5);
+    const double asExact = biasOf(spoiltDrives(std::nullopt));
+    const double asDoubtful = biasOf(spoiltDrives(0.3));
+    EXPECT_GT(asExact, 0.15);
+    EXPECT_LT(std::abs(asDoubtful), 0.3 * asExact);
+}
+
+TEST(TrailTraining, UnknownHeightsLeaveTheOtherBins)
+{
+    DriveLines drive = driveOnPlane(1);
+    DriveLine& scene = *std::ranges::find(drive.lines, true, &DriveLine::isScene);
+    scene.truth[0][4].reset();
+    scene.truth[1][4].reset();
+    const TrailRows rows = trailRows({&drive, 1}, 1, absolem(), false, 1);
+    EXPECT_EQ(rows.weights(4, 0), 0.0F);
+    EXPECT_EQ(rows.weights(5, 0), 1.0F);
+    for (auto& side : scene.truth) side.fill(std::nullopt);
+    const TrailRows fewer = trailRows({&drive, 1}, 1, absolem(), false, 1);
+    EXPECT_EQ(fewer.inputs.cols(), rows.inputs.cols() - 1);
+    EXPECT_EQ(fewer.leftOut, rows.leftOut + 1);
+}
+
+TEST(TrailTraining, ErrorsNeedCompleteScenes)
+{
+    std::vector<DriveLines> drives = spoiltDrives(0.01);
+    for (const std::size_t held : {0U, 10U, 20U, 30U})
+        for (DriveLine& line : drives[held].lines)
+            for (auto& side : line.truth) side[2].reset();
+    try {
+        (void)trainTrail(trailRows(drives, 0, absolem(), false, 1), false, quick());
+        FAIL() << "no scene gives errors";
+    } catch (const std::invalid_argument& refused) {
+        EXPECT_NE(std::string(refused.what()).find("tenth drive"), std::string::npos);
+    }
+}
+
 TEST(TrailModel, DamagedFilesAreRefused)
 {
     const TemporaryDirectory folder;

@@ -91,6 +91,21 @@ TEST_F(DriveFileTest, readsWhatItWroteOfOnePlane)
     EXPECT_TRUE(text.starts_with("run,t_s,kind,travelled_m,pitch_rad,front_rad,"));
 }
 
+TEST_F(DriveFileTest, measuredDrivesKeepSdAndHeading)
+{
+    for (const bool onePlane : {false, true}) {
+        DriveLines drive = onePlane ? planeDrive("1") : trackDrive("1");
+        drive.lines[0].line.turned = 0.5;
+        drive.lines[1].line.turned.reset();
+        drive.lines[1].truthSd[0][0] = drive.lines[1].truthSd[onePlane ? 1 : 0][0] = 0.0125;
+        const auto file = read(drivesHeader(onePlane, DriveColumns::Measured)
+                               + driveText(drive, DriveColumns::Measured));
+        ASSERT_TRUE(file) << file.error().text;
+        EXPECT_EQ(file->drives, std::vector{drive});
+        EXPECT_EQ(driveText(drive).find("0.0125"), std::string::npos) << "simulated ones are exact";
+    }
+}
+
 TEST_F(DriveFileTest, roundsToTheResolution)
 {
     DriveLines drive = planeDrive("1");

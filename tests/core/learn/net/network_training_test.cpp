@@ -71,6 +71,27 @@ TEST(NetworkTraining, OutliersMoveItLittle)
     EXPECT_LT(rmsError(network, clean), 0.3);
 }
 
+TEST(NetworkTraining, TargetsWithoutWeightDoNotCount)
+{
+    const Bowl clean;
+    Bowl spoilt;
+    Eigen::MatrixXf weights = Eigen::MatrixXf::Ones(2, 1024);
+    for (Eigen::Index n = 0; n < 1024; n += 3) {
+        spoilt.targets(0, n) = -3.0F;
+        weights(0, n) = 0.0F;
+    }
+    EXPECT_GT(rmsError(trainNetwork(spoilt.inputs, spoilt.targets, small()), clean), 0.12);
+    EXPECT_LT(rmsError(trainNetwork(spoilt.inputs, spoilt.targets, small(), {}, weights), clean),
+              0.06);
+    EXPECT_EQ(trainNetwork(clean.inputs, clean.targets, small(), {}, Eigen::MatrixXf::Ones(2, 1024))
+                  .layers[0]
+                  .weight,
+              trainNetwork(clean.inputs, clean.targets, small()).layers[0].weight);
+    weights(1, 1) = 1.5F;
+    EXPECT_THROW(trainNetwork(clean.inputs, clean.targets, small(), {}, weights),
+                 std::invalid_argument);
+}
+
 TEST(NetworkTraining, RefusesWhatItCannotLearnFrom)
 {
     Bowl bowl;
