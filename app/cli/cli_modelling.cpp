@@ -61,23 +61,27 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                   "Scenes CSV of left and right with all heights, joined if "
                                   "several: the model also learns two "
                                   "tracks");
-    addInput(*c, "--generated", o->generated,
-             "Generated scenes CSV of left and right, mixed to the real ones of --tracks with the "
-             "weight with the least error on held-out files, runs or parts of a run")
-        ->needs(tracks);
+    auto* const generated =
+        addInput(*c, "--generated", o->generated,
+                 "Generated scenes CSV, mixed to the real ones of --data (one plane) or --tracks "
+                 "(left and right) with the weight with the least error on held-out files, runs or "
+                 "parts of a run");
     auto* const plane = addInput(*c, "--plane", o->plane,
                                  "Model that learns --tracks; it keeps what it knows of one plane")
                             ->needs(tracks)
                             ->excludes(data);
-    auto* const drives = addInput(*c, "--drives", o->drives,
-                                  "Drives CSV: train the networks of the method trail, which "
-                                  "remember the way, instead of a model")
-                             ->excludes(data)
-                             ->excludes(tracks);
+    auto* const drives =
+        addInput(*c, "--drives", o->drives,
+                 "Drives CSV, joined if several: train the networks of the method trail, which "
+                 "remember the way, instead of a model")
+            ->excludes(data)
+            ->excludes(tracks)
+            ->excludes(generated);
     auto* const trackDrives =
         addInput(*c, "--track-drives", o->trackDrives, "Drives CSV on two tracks, for the same")
             ->excludes(data)
-            ->excludes(tracks);
+            ->excludes(tracks)
+            ->excludes(generated);
     addFileOutput(*c, "--out", o->out, "Model (*.ttm) or networks (*.ttn) to write")->required();
     declareFiles(*c, FileRole::Output, [o] {
         const bool hasCard = !o->bins && o->drives.empty() && o->trackDrives.empty();
@@ -97,7 +101,8 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
     addParsed(*c, "--bins", o->bins, binSetFrom, "BINS", "does not name bins 0 to 10, each once",
               "Train these bins alone (0-3 or 0,4,10; 0 is -0.3 m) and write a part of a model "
               "(*.ttp) for merge")
-        ->excludes(tracks);
+        ->excludes(tracks)
+        ->excludes(generated);
     addNumber(*c, "--inducing", o->inducing,
               "Conditionals predict through at most so many of their scenes, and their "
               "hyper-parameters come from 1400 (default 0: from all, through all)")

@@ -103,10 +103,15 @@ void addSessionScenes(CLI::App& session, Job& job)
     const auto o = std::make_shared<SessionScenesOptions>();
     addSessionFiles(*c, o->files);
     addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
-    c->add_flag("--measured", o->measured,
-                "Where no truth is known, the heights that contacts and the arm measured");
+    auto* const measured =
+        c->add_flag("--measured", o->measured,
+                    "Where no truth is known, the heights that contacts and the arm measured");
     c->add_flag("--tracks", o->tracks,
                 "Readings and heights of left and right, for --tracks of those commands");
+    c->add_flag("--drives", o->drives,
+                "Drives CSV: the way between the scenes, too, for truth, and train and evaluate "
+                "--drives")
+        ->excludes(measured);
     c->callback([o, &job] { job = [o] { return exportScenes(*o); }; });
 }
 

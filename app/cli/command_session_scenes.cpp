@@ -1,20 +1,27 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <string>
 
 #include "app/cli/open_session.h"
 #include "app/cli/session_commands.h"
 #include "app/recording/scene_origins.h"
+#include "app/recording/session_drive.h"
 #include "app/recording/session_text.h"
 #include "app/recording/what_if.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
+#include "core/base/text.h"
 #include "core/infer/estimate/measured_bins.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/two_track_form.h"
+#include "core/learn/data/drive_file.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/log/session_reader.h"
+#include "core/store/file_read.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {
@@ -169,10 +176,42 @@ void sayWhatTracksWouldAdd(const std::vector<std::string>& files)
                   withSides);
 }
 
+Status exportDrives(const SessionScenesOptions& options)
+{
+    std::string text = drivesHeader(!options.tracks, DriveColumns::Measured);
+    std::size_t lines = 0, scenes = 0;
+    std::set<std::string> runs;
+    for (const std::string& file : options.files) {
+        auto session = SessionReader::open(file);
+        if (!session) return session.error();
+        const auto robot = robotOf(*session);
+        if (!robot) return robot.error();
+        const auto found = sessionDrive(*session, *robot, !options.tracks);
+        if (!found) return found.error();
+        if (!runs.insert(found->drive.run).second)
+            return fileError(file, fmt::format("its name gives the run {}, as another file's does: "
+                                               "rename one of them",
+                                               shown(found->drive.run)));
+        if (found->leftOut > 0)
+            printText(stderr,
+                      "terratact: {}: {} lines beyond the ranges of their columns left out\n", file,
+                      found->leftOut);
+        text += driveText(found->drive, DriveColumns::Measured);
+        lines += found->drive.lines.size() - found->scenes;
+        scenes += found->scenes;
+    }
+    if (Status written = writeText(options.out, text); !written) return written;
+    printText(messagesBeside(options.out),
+              "{} lines of the way and {} scenes of {} drives written to {}\n", lines, scenes,
+              options.files.size(), options.out);
+    return Done{};
+}
+
 }  // namespace
 
 Status exportScenes(const SessionScenesOptions& options)
 {
+    if (options.drives) return exportDrives(options);
     if (options.tracks) return exportAs(options, std::vector<TwoTrackScene>{}, twoTrackScenesText);
     const Status done = exportAs(options, std::vector<Scene>{}, scenesText);
     if (done) sayWhatTracksWouldAdd(options.files);

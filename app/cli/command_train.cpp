@@ -72,7 +72,7 @@ std::string nameOfAll(const std::vector<std::string>& files)
 }
 
 Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot,
-                               std::optional<CardMix>& chosen)
+                               ChosenMixes& chosen)
 {
     StageProgress stages;
     return trainModel(
@@ -93,7 +93,8 @@ Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& ro
          .progress = [&](const TrainingStep& step) { stages.show(step); },
          .notice =
              [](const Message& notice) { printText(stderr, "terratact: {}\n", notice.english()); },
-         .mix = [&](const CardMix& mix) { chosen = mix; }});
+         .mix = [&](const CardMix& mix) { chosen.tracks = mix; },
+         .planeMix = [&](const CardMix& mix) { chosen.plane = mix; }});
 }
 
 Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)
@@ -150,15 +151,16 @@ Status train(const TrainOptions& options)
     if (!robot) return robot.error();
     if (!options.drives.empty() || !options.trackDrives.empty())
         return trainTrailNetworks(options, *robot);
-    std::optional<CardMix> mix;
-    auto model = trainVisibly(options, *robot, mix);
+    ChosenMixes mixes;
+    auto model = trainVisibly(options, *robot, mixes);
     if (!model) return model.error();
     if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));
     if (Status written = writeModel(options.out, *model); !written) return written;
-    if (Status card = writeNewCard(options.out, *model, nameOfAll(options.data), mix); !card)
+    if (Status card = writeNewCard(options.out, *model, nameOfAll(options.data), mixes); !card)
         return card;
     printModel(*model, options.out);
-    if (mix) printText("{}", Lines(mixText(*mix)));
+    if (mixes.plane) printText("{}", Lines(mixText(*mixes.plane, "one plane: ")));
+    if (mixes.tracks) printText("{}", Lines(mixText(*mixes.tracks)));
     return Done{};
 }
 

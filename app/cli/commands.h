@@ -61,7 +61,7 @@ struct TrainOptions {
     std::vector<std::string> data;  ///< scenes of one plane, in one or several files
     std::vector<std::string>
         tracks;  ///< scenes of two tracks; empty: the model learns one plane only
-    std::vector<std::string> generated;  ///< mixed to `tracks` by held-out error
+    std::vector<std::string> generated;  ///< mixed to `data` or `tracks` by held-out error
     std::string plane;       ///< model that is kept instead of training on `data`; empty: none
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;
@@ -72,7 +72,7 @@ struct TrainOptions {
     /// The command line without --bins, split around the value of --out.
     std::string commandBeforeOut, commandAfterOut;
     /// Drives in one plane and on two tracks: trail networks are trained instead of a model.
-    std::string drives, trackDrives;
+    std::vector<std::string> drives, trackDrives;
     int networks = 5, epochs = 30;  ///< of trail networks
 };
 /// Trains a model, or with drives the networks of the method trail.

@@ -42,6 +42,7 @@ struct SessionScenesOptions {
     std::string out;        ///< CSV of scenes
     bool measured = false;  ///< heights of contacts and arm if the truth is unknown
     bool tracks = false;    ///< readings and heights of both sides
+    bool drives = false;    ///< the way between the scenes, too: a file of drives
 };
 Status exportScenes(const SessionScenesOptions& options);
 

@@ -7,13 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "app/modelling/truth_scenes.h"
 #include "core/base/text.h"
 #include "core/clouds/cloud_messages.h"
 #include "core/clouds/cloud_reader.h"
+#include "core/clouds/cloud_span.h"
 #include "core/clouds/scan_time.h"
 #include "core/clouds/sensor_frames.h"
-#include "core/learn/data/scene_file.h"
-#include "core/learn/data/two_track_scene_file.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
 #include "core/terrain/ground_lines.h"
@@ -22,7 +22,6 @@ namespace terratact {
 namespace {
 
 constexpr double kPassDistance = 0.1, kPassTurn = 0.05;  // [m], [rad] between two passes
-constexpr double kBandSd = 1.2816;                       // 80 % of a normal distribution
 
 class LaserTruthFinder {
 public:
@@ -35,6 +34,7 @@ public:
                                 &LaserTruthFinder::placeScenes, &LaserTruthFinder::addClouds})
             if (Status done = (this->*step)(); !done) return done.error();
         findHeights();
+        if (Status near = checkNearness(); !near) return near.error();
         return std::move(truth_);
     }
 
@@ -49,30 +49,14 @@ private:
 
     Status readSceneFile()
     {
-        auto text = CsvReader::textOf(options_.scenes);
-        if (!text) return text.error();
-        auto csv = CsvReader::over(options_.scenes, *text);
-        if (!csv) return csv.error();
-        if (const auto first = csv->next(); !first) return first.error();
-        truth_.isPlane = std::ranges::find(csv->fields(), "roll_rad") == csv->fields().end();
-        std::vector<Message> notices;
-        if (truth_.isPlane) {
-            auto file = readScenesFromHere(*std::move(csv));
-            if (!file) return file.error();
-            truth_.plane = std::move(file->scenes);
-            notices = std::move(file->notices);
-            truth_.tracks = onBothSides(truth_.plane);
-        } else {
-            auto again = CsvReader::over(options_.scenes, *std::move(text));
-            if (!again) return again.error();
-            auto file = readTwoTrackScenes(*std::move(again));
-            if (!file) return file.error();
-            truth_.tracks = std::move(file->scenes);
-            notices = std::move(file->notices);
-        }
-        for (const Message& notice : notices)
+        auto file = readTruthScenes(options_.scenes);
+        if (!file) return file.error();
+        truth_.isPlane = file->isPlane;
+        truth_.plane = std::move(file->plane);
+        truth_.tracks = std::move(file->tracks);
+        truth_.drives = std::move(file->drives);
+        for (const Message& notice : file->notices)
             truth_.remarks.push_back(fmt::format("{}: {}", options_.scenes, notice.english()));
-        if (truth_.tracks.empty()) return fileError(options_.scenes, "holds no scene");
         truth_.truths.resize(truth_.tracks.size());
         return Done{};
     }
@@ -254,11 +238,28 @@ private:
             if (base)
                 truth_.grid->addScan(block, *base, options_.sensorMount.value_or(CloudPose()));
             else
-                truth_.grid->add(block);
+                addMap(block);
         }
-        truth_.points += (*cloud)->points();
-        truth_.leftOut += (*cloud)->leftOut();
-        return Done{};
+        if (const std::string& text = (*cloud)->remark(); !text.empty())
+            truth_.remarks.push_back(file + ": " + text);
+        return count(file, (*cloud)->points(), (*cloud)->leftOut());
+    }
+
+    void addMap(const std::vector<CloudPoint>& points)
+    {
+        span_.add(points);
+        truth_.grid->add(points);
+    }
+
+    /// Counts the points of a file; refuses one whose points cannot be used.
+    Status count(const std::string& file, std::uint64_t points, std::uint64_t leftOut)
+    {
+        truth_.points += points;
+        truth_.leftOut += leftOut;
+        if (leftOut < points) return Done{};
+        return fileError(file, fmt::format("all of its {} points are NaN, infinite or beyond 10000 "
+                                           "km, or it has none: write it again, in m",
+                                           points));
     }
 
     /// Returns the track of scans: the chosen run's, or the only one.
@@ -286,7 +287,7 @@ private:
     bool addRecordedCloud(const CloudMessage& cloud)
     {
         if (poseFrames_.isTransform() && cloud.frame == poseFrames_.frame) {
-            truth_.grid->add(cloud.points);
+            addMap(cloud.points);
             return true;
         }
         const auto base = baseAt(onlyTrack(), cloud.stamp);
@@ -307,8 +308,7 @@ private:
             return true;
         });
         if (!read) return read.error();
-        truth_.points += read->points;
-        truth_.leftOut += read->leftOut;
+        if (Status some = count(file, read->points, read->leftOut); !some) return some;
         for (const std::string& remark : read->remarks)
             truth_.remarks.push_back(fmt::format("{}: {}", file, remark));
         if (without > 0 && without == read->clouds)
@@ -321,6 +321,16 @@ private:
                 fmt::format("{}: {} of {} clouds have no poses around their time; left out", file,
                             without, read->clouds));
         return Done{};
+    }
+
+    /// Refuses maps without a point under any scene.
+    Status checkNearness() const
+    {
+        if (span_.isEmpty() || truth_.grid->hasPoints()) return Done{};
+        CloudSpan robot;
+        for (const ScenePlace& place : truth_.grid->places())
+            robot.add({{CloudPoint{place.imu.x(), place.imu.y(), place.imu.z()}}});
+        return fileError(options_.clouds.front(), span_.farFrom(robot));
     }
 
     void findHeights()
@@ -340,8 +350,8 @@ private:
             if (truth_.truths[row].gap == TruthGap::None) findSides(truth_.truths[row], rule);
             store(row);
         }
-        finish(truth_.under);
-        finish(truth_.ahead);
+        truth_.under.finish();
+        truth_.ahead.finish();
     }
 
     void findSides(SceneTruth& scene, const TruthRule& rule)
@@ -369,8 +379,8 @@ private:
                 sd.at(i) = found.at(i).height ? std::optional(found.at(i).sd) : std::nullopt;
                 const auto before = std::exchange(heights.at(i), found.at(i).height);
                 if (before && found.at(i).height)
-                    compare(static_cast<int>(i) < kFirstFlipperBin ? truth_.under : truth_.ahead,
-                            *found.at(i).height - *before, found.at(i).sd);
+                    (static_cast<int>(i) < kFirstFlipperBin ? truth_.under : truth_.ahead)
+                        .add(*found.at(i).height - *before, found.at(i).sd);
             }
         };
         if (truth_.isPlane)
@@ -380,31 +390,12 @@ private:
                      scene.side.at(side));
     }
 
-    static void compare(TruthErrors& e, double error, double sd)
-    {
-        ++e.bins;
-        e.bias += error;
-        e.meanError += std::abs(error);
-        e.rms += error * error;
-        e.worst = std::max(e.worst, std::abs(error));
-        e.within += std::abs(error) <= kBandSd * sd ? 1.0 : 0.0;
-    }
-
-    static void finish(TruthErrors& e)
-    {
-        if (e.bins == 0) return;
-        const auto n = static_cast<double>(e.bins);
-        e.bias /= n;
-        e.meanError /= n;
-        e.within /= n;
-        e.rms = std::sqrt(e.rms / n);
-    }
-
     const LaserTruthOptions& options_;
     LaserTruth truth_;
     PoseTracks tracks_;
     OdometrySource poseFrames_;  ///< of a recording
     std::optional<SensorFrames> sensors_;
+    CloudSpan span_;  ///< of maps
     double start_ = 0.0;
 };
 

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/modelling/truth_errors.h"
 #include "core/base/result.h"
 #include "core/clouds/cloud_alignment.h"
 #include "core/clouds/cloud_truth.h"
 #include "core/clouds/pose_track.h"
 #include "core/clouds/scene_grid.h"
+#include "core/learn/data/drive_lines.h"
 #include "core/learn/data/scene.h"
 #include "core/learn/data/two_track_scene.h"
 
@@ -17,7 +19,7 @@ namespace terratact {
 
 struct LaserTruthOptions {
     std::string robot;                ///< robot file
-    std::string scenes;               ///< CSV, of one plane or of two tracks
+    std::string scenes;               ///< CSV of scenes or drives, of one plane or of two tracks
     std::vector<std::string> clouds;  ///< files
     std::string poses;                ///< TUM, CSV, or with `mapping` a recording
     std::string mapping;              ///< says where poses are in a recording
@@ -57,20 +59,14 @@ struct SceneTruth {
     SideTruth plane{};                       ///< of a file of one plane
 };
 
-/// Errors of heights against those that the scenes file held before.
-struct TruthErrors {
-    std::size_t bins = 0;
-    double bias = 0.0, meanError = 0.0, rms = 0.0;  ///< [m]
-    double worst = 0.0;                             ///< [m] largest |error|
-    double within = 0.0;  ///< share with |error| ≤ 1.28 sd: 0.8 is right
-};
-
 struct LaserTruth {
     RobotModel robot;
     bool isPlane = false;
     /// Scenes of the file in its order with heights of the cloud; those of two tracks, or of one plane.
     std::vector<TwoTrackScene> tracks{};
     std::vector<Scene> plane{};
+    /// Of a file of drives: every line. Their scenes are the scenes above, in this order; their heights are not kept up.
+    std::vector<DriveLines> drives{};
     std::vector<SceneTruth> truths{};
     std::optional<SceneGrid> grid{};
     std::optional<CloudAlignment> alignment{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/learn/data/drive_file.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/csv_text.h"
@@ -116,7 +117,25 @@ std::string truthSupportCsv(const LaserTruth& truth)
 
 std::string truthScenesCsv(const LaserTruth& truth)
 {
-    return truth.isPlane ? scenesText(truth.plane) : twoTrackScenesText(truth.tracks);
+    if (truth.drives.empty())
+        return truth.isPlane ? scenesText(truth.plane) : twoTrackScenesText(truth.tracks);
+    std::string text = drivesHeader(truth.isPlane, DriveColumns::Measured);
+    std::size_t row = 0;
+    for (DriveLines drive : truth.drives) {
+        for (DriveLine& line : drive.lines) {
+            if (!line.isScene) continue;
+            if (truth.isPlane) {
+                line.truth.fill(truth.plane.at(row).truth);
+                line.truthSd.fill(truth.plane.at(row).truthSd);
+            } else {
+                line.truth = truth.tracks.at(row).truth;
+                line.truthSd = truth.tracks.at(row).truthSd;
+            }
+            ++row;
+        }
+        text += driveText(drive, DriveColumns::Measured);
+    }
+    return text;
 }
 
 }  // namespace terratact

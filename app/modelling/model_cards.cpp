@@ -64,13 +64,14 @@ std::string dateOfToday()
 }
 
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
-                    const std::string& dataPath, const std::optional<CardMix>& mix)
+                    const std::string& dataPath, const ChosenMixes& mixes)
 {
     return writeModelCard(modelPath,
                           {.model = contentHash(model),
                            .trained = dateOfToday(),
                            .terrain = dataPath.empty() ? std::string() : nameOf(dataPath),
-                           .mix = mix,
+                           .mix = mixes.tracks,
+                           .planeMix = mixes.plane,
                            .scores = {}});
 }
 

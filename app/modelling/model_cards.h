@@ -29,9 +29,14 @@ ModelFacts factsOf(const std::string& path, const StoredModel& model);
 /// Returns today's UTC date for a card: that of $SOURCE_DATE_EPOCH if set, else of the clock.
 std::string dateOfToday();
 
+/// Weights of generated scenes that a training chose; empty: it did not choose.
+struct ChosenMixes {
+    std::optional<CardMix> tracks{}, plane{};
+};
+
 /// Writes the card of a new model. dataPath: its training scenes; empty if unknown.
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
-                    const std::string& dataPath, const std::optional<CardMix>& mix = {});
+                    const std::string& dataPath, const ChosenMixes& mixes = {});
 
 /// Adds scores to the model's card, or creates the card. It fills in date (today), data (file name of dataPath) and
 /// dataHash (hash of the scenes as read).

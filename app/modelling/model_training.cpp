@@ -2,24 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <mutex>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "app/modelling/mix_judges.h"
+#include "app/modelling/scene_kind.h"
 #include "app/modelling/scene_mixing.h"
-#include "app/modelling/two_track_evaluation.h"
-#include "app/runtime/parallel.h"
-#include "core/infer/estimator.h"
-#include "core/infer/sampling/watch.h"
-#include "core/learn/data/scene_file.h"
-#include "core/learn/data/two_track_scene_file.h"
-#include "core/learn/model/clearance_conditionals.h"
-#include "core/learn/model/clearance_model.h"
-#include "core/learn/model/clearance_training.h"
+#include "app/modelling/training_files.h"
+#include "app/modelling/training_run.h"
 #include "core/learn/model/model_file.h"
 #include "core/learn/model/side_training.h"
 #include "core/learn/model/training.h"
@@ -29,192 +22,6 @@
 namespace terratact {
 
 namespace {
-
-constexpr int kRowsOfSurfaceSearch = 800;
-constexpr int kRowsOfMixSearch = 300;  // of models that are only compared
-
-/// Returns the approximate cost of a hyperparameter search over `rows` rows; every likelihood needs a factorisation.
-double searchCost(Eigen::Index rows, const TrainingOptions& options)
-{
-    const auto cube = [rows](int most) {
-        return std::pow(static_cast<double>(most > 0 ? std::min<Eigen::Index>(rows, most) : rows),
-                        3.0);
-    };
-    const bool thinned = options.subset < rows || options.fullEvaluations == 0;
-    return (thinned ? options.subsetEvaluations * cube(options.subset) : 0.0)
-         + options.fullEvaluations * cube(options.fullRows);
-}
-
-/// A running training. The jobs of a stage run in parallel; the stages run one after another.
-class Training {
-public:
-    Training(ModelData& model, const TrainingPlan& plan, const TrainingWatch& watch)
-        : model_(model), plan_(plan), watch_(watch), bins_(binsOf(plan.bins.value_or(kAllBins))),
-          ceilings_(bodyCeilings(model.features, plan.robot, poll_))
-    {
-        conditional_.seed = surface_.seed = clearance_.seed = plan.seed;
-        if (plan.inducing > 0) conditional_.fullRows = kRowsOfSparseSearch;
-        surface_.subset = kRowsOfSurfaceSearch;
-        surface_.fullEvaluations = 0;
-        if (!plan.plane.empty()) {
-            total_ = static_cast<double>(bins_.size()) * 2.0 * costOf(TrainingKind::SideOpen);
-            return;
-        }
-        total_ =
-            static_cast<double>(bins_.size())
-            * (costOf(TrainingKind::Paf) + costOf(TrainingKind::Pa)
-               + 2.0 * costOf(TrainingKind::SurfaceOpen) + 2.0 * costOf(TrainingKind::ClearanceOpen)
-               + (model.hasSides() ? 2.0 * costOf(TrainingKind::SideOpen) : 0.0));
-    }
-
-    /// Searches hyper-parameters of surfaces on at most so many rows.
-    void searchSurfacesOn(int rows) { surface_.subset = rows; }
-
-    void run()
-    {
-        if (!plan_.plane.empty()) return trainSides();
-        trainConditionals();
-        trainSurfaces(model_, ceilings_,
-                      {TrainingKind::SurfaceCovered, TrainingKind::SurfaceOpen, 0});
-        trainClearances();
-        callPoll(poll_);
-        if (!plan_.bins) finishClearance(model_, ceilings_, plan_.robot, poll_);
-        if (model_.hasSides()) trainSides();
-    }
-
-private:
-    /// Result of a job.
-    struct Outcome {
-        TrainingEvent event = TrainingEvent::Done;
-        std::optional<double> logLikelihood{};
-    };
-
-    int jobs() const { return 2 * static_cast<int>(bins_.size()); }
-
-    double costOf(TrainingKind kind) const
-    {
-        switch (kind) {
-        case TrainingKind::Paf:
-        case TrainingKind::Pa: return searchCost(model_.scannedHeights.rows(), conditional_);
-        case TrainingKind::SurfaceCovered:
-        case TrainingKind::SurfaceOpen: return searchCost(model_.heights.rows(), surface_);
-        case TrainingKind::ClearanceCovered:
-        case TrainingKind::ClearanceOpen:
-            return searchCost(std::min<Eigen::Index>(model_.heights.rows(), kMaxClearanceRows),
-                              clearance_);
-        case TrainingKind::SideCovered:
-        case TrainingKind::SideOpen: return searchCost(model_.sides.heights.rows(), surface_);
-        }
-        return 0.0;
-    }
-
-    void report(TrainingKind kind, int bin, const Outcome& outcome)
-    {
-        const std::scoped_lock lock(mutex_);
-        if (outcome.event != TrainingEvent::Begun) done_ += costOf(kind);
-        if (!watch_.progress) return;
-        watch_.progress({.kind = kind,
-                         .bin = bin,
-                         .event = outcome.event,
-                         .logLikelihood = outcome.logLikelihood,
-                         .stageTotal = jobs(),
-                         .share = std::min(1.0, done_ / total_)});
-    }
-
-    /// Runs work(job, kind, bin) for all bins, first of one kind and then of the other.
-    template <class Work>
-    void runStage(TrainingKind first, TrainingKind second, Work work)
-    {
-        const auto count = static_cast<int>(bins_.size());
-        parallelFor(
-            jobs(),
-            [&](int job) {
-                callPoll(poll_);
-                const TrainingKind kind = job < count ? first : second;
-                const int bin = bins_[static_cast<std::size_t>(job % count)];
-                report(kind, bin, {.event = TrainingEvent::Begun});
-                const Outcome outcome = work(job, kind, bin);
-                report(kind, bin, outcome);
-            },
-            plan_.threads);
-    }
-
-    void trainConditionals()
-    {
-        // The larger jobs begin first.
-        runStage(TrainingKind::Paf, TrainingKind::Pa, [&](int /*job*/, TrainingKind kind, int bin) {
-            const FeatureSet set = kind == TrainingKind::Paf ? FeatureSet::Paf : FeatureSet::Pa;
-            const TrainedBin trained = trainBin(model_, set, bin, conditional_, poll_);
-            BinModelData& data = set == FeatureSet::Pa ? model_.pa : model_.paf;
-            data.bins[static_cast<std::size_t>(bin)] = trained.hyper;
-            data.logLikelihood[static_cast<std::size_t>(bin)] = trained.logLikelihood;
-            return Outcome{.logLikelihood = trained.logLikelihood};
-        });
-    }
-
-    /// Surface processes of one stage.
-    struct SurfaceStage {
-        TrainingKind covered, open;
-        Eigen::Index kept = 0;  ///< as in trainSurface()
-    };
-
-    void trainSurfaces(SurfaceData& data, const Eigen::MatrixXd& ceilings,
-                       const SurfaceStage& stage)
-    {
-        prepareClearance(data, ceilings);
-        const std::vector<int> places = placesOf(data);
-        std::vector<TrainedSurface> trained(static_cast<std::size_t>(jobs()));
-        runStage(stage.covered, stage.open, [&](int job, TrainingKind kind, int bin) {
-            trained[static_cast<std::size_t>(job)] = trainSurface(
-                data, ceilings, bin, kind == stage.covered, surface_, poll_, places, stage.kept);
-            return Outcome{};
-        });
-        const auto count = static_cast<int>(bins_.size());
-        for (int job = 0; job < jobs(); ++job)
-            store(data, trained[static_cast<std::size_t>(job)],
-                  bins_[static_cast<std::size_t>(job % count)], job < count);
-    }
-
-    /// Trains the processes of both sides.
-    void trainSides()
-    {
-        trainSurfaces(
-            model_.sides, bodyCeilings(model_.sides.features, plan_.robot, poll_),
-            {TrainingKind::SideCovered, TrainingKind::SideOpen, Eigen::Index{2} * kKeptScenes});
-        finishSides(model_.sides, plan_.robot, poll_);
-    }
-
-    /// Trains the conditionals over clearances in every regime with enough rows.
-    void trainClearances()
-    {
-        const ClearanceTraining training = clearanceTraining(model_, plan_.robot);
-        const ClearanceConditionalData data = prepareClearanceConditionals(training);
-        runStage(TrainingKind::ClearanceCovered, TrainingKind::ClearanceOpen,
-                 [&](int /*job*/, TrainingKind kind, int bin) {
-                     const Regime regime =
-                         kind == TrainingKind::ClearanceCovered ? Regime::Covered : Regime::Open;
-                     if (data.at(bin, regime).rows < kMinTrainingRows)
-                         return Outcome{.event = TrainingEvent::Skipped};
-                     ClearanceData& clearance = model_.clearance;
-                     auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered
-                                                              : clearance.conditionalOpen;
-                     const TrainedBin trained =
-                         trainClearanceConditional(training, data, bin, regime, clearance_, poll_);
-                     hypers[static_cast<std::size_t>(bin)] = trained.hyper;
-                     return Outcome{.logLikelihood = trained.logLikelihood};
-                 });
-    }
-
-    ModelData& model_;
-    const TrainingPlan& plan_;
-    const TrainingWatch& watch_;
-    const Poll poll_ = pollOf({watch_.cancelled, {}, {}, {}});
-    std::vector<int> bins_;
-    Eigen::MatrixXd ceilings_;
-    TrainingOptions conditional_, surface_, clearance_;
-    std::mutex mutex_;
-    double done_ = 0.0, total_ = 1.0;  // units of costOf()
-};
 
 /// Returns "3, 7, 12 and 4 more".
 std::string someOf(const std::set<std::string>& runs)
@@ -228,60 +35,81 @@ std::string someOf(const std::set<std::string>& runs)
     return text;
 }
 
-/// Scenes of one or several files, and the hash of what was read.
-template <class SceneType>
-struct ScenesRead {
-    std::vector<SceneType> scenes{};
-    std::vector<Message> notices{};
-    std::string hash{};  ///< SHA-256 of a file; of several, of their hashes in hexadecimal
+/// Generated scenes of a plan, by their kind.
+struct GeneratedFiles {
+    std::vector<std::string> planes{}, tracks{};
 };
 
-Result<ScenesRead<Scene>> readScenesAndHash(const std::string& path)
+Result<GeneratedFiles> generatedOf(const TrainingPlan& plan)
 {
-    auto file = readScenes(path);
-    if (!file) return file.error();
-    return ScenesRead<Scene>{std::move(file->scenes), std::move(file->notices),
-                             std::move(file->hash)};
-}
-
-Result<ScenesRead<TwoTrackScene>> readTracksAndHash(const std::string& path)
-{
-    auto hash = sha256OfFile(path);
-    if (!hash) return hash.error();
-    auto file = readTwoTrackScenes(path);
-    if (!file) return file.error();
-    return ScenesRead<TwoTrackScene>{std::move(file->scenes), std::move(file->notices),
-                                     *std::move(hash)};
-}
-
-/// Reads scenes of all files, which may have other columns each. begins: gets the first scene of each file.
-template <class Read, class Report>
-auto readTogether(const std::string& first, const std::vector<std::string>& more, Read read,
-                  const Report& report, std::vector<std::size_t>* begins = nullptr)
-    -> decltype(read(first))
-{
-    auto all = read(first);
-    if (!all) return all;
-    if (begins) begins->assign(1, 0);
-    for (const Message& notice : all->notices) report(notice);
-    for (const std::string& path : more) {
-        auto next = read(path);
-        if (!next) return next;
-        for (const Message& notice : next->notices) report(notice);
-        if (begins) begins->push_back(all->scenes.size());
-        all->scenes.insert(all->scenes.end(), next->scenes.begin(), next->scenes.end());
-        all->hash += next->hash;
+    GeneratedFiles files;
+    for (const std::string& path : plan.generated) {
+        const auto kind = sceneKindOf(path);
+        if (!kind) return kind.error();
+        if (kind->isPlane && !plan.plane.empty())
+            return fileError(path, "holds scenes of one plane, which the model of --plane does not "
+                                   "learn: give scenes of left and right, or train with --data");
+        if (!kind->isPlane && plan.tracks.empty())
+            return fileError(path, "holds scenes of left and right, and training has no --tracks: "
+                                   "give these, or generated scenes of one plane");
+        (kind->isPlane ? files.planes : files.tracks).push_back(path);
     }
-    if (!more.empty()) all->hash = sha256Hex(all->hash);
+    return files;
+}
+
+/// Mixes generated scenes to the real ones of `file` by held-out error. chosen: is told the mix.
+template <class SceneType, class Judge>
+Status addGenerated(const std::string& file, TrainingScenes<SceneType>& real,
+                    const TrainingScenes<SceneType>& generated, Judge judge,
+                    const std::function<void(const CardMix&)>& chosen)
+{
+    const auto mix = chooseMix(real.scenes, heldOutFolds(real.scenes, real.begins),
+                               generated.scenes, MixJudge<SceneType>(std::move(judge)));
+    if (!mix) return fileError(file, "its scenes " + mix.error().text);
+    if (chosen) chosen(*mix);
+    real.scenes = mixedScenes(real.scenes, generated.scenes, mix->weight);
+    real.hash = sha256Hex(real.hash + generated.hash);
+    return Done{};
+}
+
+/// Returns the first file and those behind it.
+std::vector<std::string> joined(const std::string& first, const std::vector<std::string>& more)
+{
+    std::vector<std::string> all{first};
+    all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
-Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
+/// Returns a function that passes notices on.
+NoticeReport reportTo(const TrainingWatch& watch)
 {
-    const auto report = [&](const Message& notice) {
+    return [&watch](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
-    const auto file = readTogether(plan.data, plan.moreData, readScenesAndHash, report);
+}
+
+/// Reads the scenes of one plane, and mixes generated ones to them.
+Result<TrainingScenes<Scene>> readMixedPlanes(const TrainingPlan& plan,
+                                              const std::vector<std::string>& generatedFiles,
+                                              const TrainingWatch& watch)
+{
+    auto real = readPlanes(joined(plan.data, plan.moreData), reportTo(watch));
+    if (!real || generatedFiles.empty()) return real;
+    const auto generated = readPlanes(generatedFiles, reportTo(watch));
+    if (!generated) return generated.error();
+    if (Status added =
+            addGenerated(plan.data, *real, *generated, PlaneJudge(plan, watch), watch.planeMix);
+        !added)
+        return added.error();
+    return real;
+}
+
+Result<ModelData> readTraining(const TrainingPlan& plan,
+                               const std::vector<std::string>& generatedFiles,
+                               const TrainingWatch& watch)
+{
+    const NoticeReport report = reportTo(watch);
+    const auto file = readMixedPlanes(plan, generatedFiles, watch);
     if (!file) return file.error();
     TrainingSet set;
     try {
@@ -333,9 +161,7 @@ Result<ModelData> readPlane(const TrainingPlan& plan)
 void setSides(ModelData& model, const std::vector<TwoTrackScene>& scenes,
               const TrainingWatch& watch)
 {
-    const auto report = [&](const Message& notice) {
-        if (watch.notice) watch.notice(notice);
-    };
+    const NoticeReport report = reportTo(watch);
     SideTrainingSet set = prepareSides(scenes);
     if (set.leftOut > 0)
         report({TR_NOOP("core", "%1 scenes of two tracks left out: a reading or all heights "
@@ -348,61 +174,20 @@ void setSides(ModelData& model, const std::vector<TwoTrackScene>& scenes,
     model.sides = std::move(set.rows);
 }
 
-/// Judges mixes by models of two tracks: method local, bins −0.3 … 0.5 m of both sides.
-class SideJudge {
-public:
-    SideJudge(const ModelData& plane, const TrainingPlan& plan, const TrainingWatch& watch)
-        : plan_(plan), model_(plane)
-    {
-        plan_.plane = "kept";
-        watch_.cancelled = watch.cancelled;
-    }
-
-    std::vector<double> operator()(const std::vector<TwoTrackScene>& learnt,
-                                   const std::vector<TwoTrackScene>& judged)
-    {
-        try {
-            setSides(model_, learnt, watch_);
-        } catch (const std::invalid_argument&) {
-            return {};
-        }
-        Training training(model_, plan_, watch_);
-        training.searchSurfacesOn(kRowsOfMixSearch);
-        training.run();
-        Settings settings;
-        settings.method = Method::Local;
-        settings.seed = plan_.seed;
-        return sideErrors(judged, plan_.robot, Models(model_, plan_.robot), settings);
-    }
-
-private:
-    TrainingPlan plan_;
-    TrainingWatch watch_;
-    ModelData model_;
-};
-
 /// Reads the scenes of two tracks, and mixes generated ones to them by held-out error. The model has its part of one
 /// plane already.
-Status addSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData& model)
+Status addSides(const TrainingPlan& plan, const std::vector<std::string>& generatedFiles,
+                const TrainingWatch& watch, ModelData& model)
 {
-    const auto report = [&](const Message& notice) {
-        if (watch.notice) watch.notice(notice);
-    };
-    std::vector<std::size_t> begins;
-    auto real = readTogether(plan.tracks, plan.moreTracks, readTracksAndHash, report, &begins);
+    auto real = readTracks(joined(plan.tracks, plan.moreTracks), reportTo(watch));
     if (!real) return real.error();
-    if (!plan.generated.empty()) {
-        const auto generated =
-            readTogether(plan.generated.front(), {plan.generated.begin() + 1, plan.generated.end()},
-                         readTracksAndHash, report);
+    if (!generatedFiles.empty()) {
+        const auto generated = readTracks(generatedFiles, reportTo(watch));
         if (!generated) return generated.error();
-        SideJudge judge(model, plan, watch);
-        const auto mix = chooseMix(real->scenes, heldOutFolds(real->scenes, begins),
-                                   generated->scenes, std::ref(judge));
-        if (!mix) return fileError(plan.tracks, "its scenes " + mix.error().text);
-        if (watch.mix) watch.mix(*mix);
-        real->scenes = mixedScenes(real->scenes, generated->scenes, mix->weight);
-        real->hash = sha256Hex(real->hash + generated->hash);
+        if (Status added = addGenerated(plan.tracks, *real, *generated,
+                                        SideJudge(model, plan, watch), watch.mix);
+            !added)
+            return added;
     }
     try {
         setSides(model, real->scenes, watch);
@@ -433,17 +218,23 @@ std::string_view stageOf(TrainingKind kind)
 
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch)
 {
-    auto model = plan.plane.empty() ? readTraining(plan, watch) : readPlane(plan);
-    if (!model) return model;
     if (!plan.tracks.empty() && plan.bins)
         throw std::invalid_argument("a part of a model cannot have two tracks");
-    const bool choosesMix = !plan.tracks.empty() && !plan.generated.empty();
-    if (choosesMix && plan.plane.empty()) Training(*model, plan, watch).run();
+    if (!plan.generated.empty() && plan.bins)
+        throw std::invalid_argument("a part of a model cannot choose how many scenes it learns");
+    const auto generated = generatedOf(plan);
+    if (!generated) return generated.error();
+    auto model =
+        plan.plane.empty() ? readTraining(plan, generated->planes, watch) : readPlane(plan);
+    if (!model) return model;
+    TrainingScope rest;
+    // The judge of both sides needs the part of one plane.
+    if (!generated->tracks.empty() && plan.plane.empty()) runTraining(*model, plan, watch);
     if (!plan.tracks.empty())
-        if (Status sides = addSides(plan, watch, *model); !sides) return sides.error();
-    TrainingPlan rest = plan;
-    if (choosesMix) rest.plane = "kept";
-    Training(*model, rest, watch).run();
+        if (Status sides = addSides(plan, generated->tracks, watch, *model); !sides)
+            return sides.error();
+    if (!plan.plane.empty() || !generated->tracks.empty()) rest.parts = TrainingScope::Parts::Sides;
+    runTraining(*model, plan, watch, rest);
     return model;
 }
 

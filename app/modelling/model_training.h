@@ -23,8 +23,8 @@ struct TrainingPlan {
     std::vector<std::string> moreData{};  ///< more of them, behind the first
     std::string tracks{};  ///< CSV of scenes of two tracks; empty: the model learns one plane only
     std::vector<std::string> moreTracks{};  ///< more of them, behind the first
-    /// Generated scenes of two tracks, mixed to the real ones of `tracks`. Their weight has the
-    /// smallest error on held-out real scenes (scene_mixing.h).
+    /// Generated scenes, mixed to the real ones of `data` or `tracks`. Their weight has the smallest
+    /// error on held-out real scenes (scene_mixing.h). Each file holds one plane or two tracks.
     std::vector<std::string> generated{};
     /// Model whose part of one plane is kept, every bit of it. The new one learns `tracks` alone,
     /// and `data` is not read. Empty: `data` trains that part.
@@ -87,11 +87,12 @@ struct TrainingWatch {
     std::function<bool()> cancelled;                    ///< any thread, every few milliseconds
     std::function<void(const TrainingStep&)> progress;  ///< one thread at a time
     std::function<void(const Message&)> notice;         ///< a sentence about the file
-    std::function<void(const CardMix&)> mix{};  ///< the weight of generated scenes that was chosen
+    /// The weight of generated scenes that was chosen, of two tracks and of one plane.
+    std::function<void(const CardMix&)> mix{}, planeMix{};
 };
 
 /// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on
-/// the same machine. Bins and tracks exclude each other: std::invalid_argument. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
+/// the same machine. Bins exclude tracks and generated scenes: std::invalid_argument. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
 /// watch.cancelled() returns true.
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch = {});
 

@@ -14,14 +14,15 @@ namespace {
 constexpr std::size_t kMostFolds = 4;
 
 /// Returns the mean |error| of a weight over all folds; empty if one of them cannot be trained.
-std::optional<double> mixError(const std::vector<TwoTrackScene>& real, const HeldOutFolds& folds,
-                               const std::vector<TwoTrackScene>& generated, double weight,
-                               const MixJudge& judge)
+template <class SceneType>
+std::optional<double> mixError(const std::vector<SceneType>& real, const HeldOutFolds& folds,
+                               const std::vector<SceneType>& generated, double weight,
+                               const MixJudge<SceneType>& judge)
 {
     double sum = 0.0;
     std::size_t bins = 0;
     for (std::size_t fold = 0; fold < folds.count; ++fold) {
-        std::vector<TwoTrackScene> learnt, judged;
+        std::vector<SceneType> learnt, judged;
         for (std::size_t i = 0; i < real.size(); ++i)
             (folds.of[i] == fold ? judged : learnt).push_back(real[i]);
         const std::vector<double> errors = judge(mixedScenes(learnt, generated, weight), judged);
@@ -34,10 +35,11 @@ std::optional<double> mixError(const std::vector<TwoTrackScene>& real, const Hel
 
 }  // namespace
 
-std::vector<TwoTrackScene> mixedScenes(const std::vector<TwoTrackScene>& real,
-                                       const std::vector<TwoTrackScene>& generated, double weight)
+template <class SceneType>
+std::vector<SceneType> mixedScenes(const std::vector<SceneType>& real,
+                                   const std::vector<SceneType>& generated, double weight)
 {
-    std::vector<TwoTrackScene> mixed = real;
+    std::vector<SceneType> mixed = real;
     for (std::size_t i = 0; i < generated.size(); ++i)
         if (std::floor(weight * static_cast<double>(i + 1))
             > std::floor(weight * static_cast<double>(i)))
@@ -45,7 +47,8 @@ std::vector<TwoTrackScene> mixedScenes(const std::vector<TwoTrackScene>& real,
     return mixed;
 }
 
-HeldOutFolds heldOutFolds(const std::vector<TwoTrackScene>& real,
+template <class SceneType>
+HeldOutFolds heldOutFolds(const std::vector<SceneType>& real,
                           const std::vector<std::size_t>& filesBegin)
 {
     HeldOutFolds folds{.of = std::vector<std::size_t>(real.size())};
@@ -58,7 +61,7 @@ HeldOutFolds heldOutFolds(const std::vector<TwoTrackScene>& real,
         return folds;
     }
     std::map<std::string, std::size_t> runs;  // in the order of the scenes
-    for (const TwoTrackScene& scene : real) runs.try_emplace(scene.run, runs.size());
+    for (const SceneType& scene : real) runs.try_emplace(scene.run, runs.size());
     folds.count = std::min(kMostFolds, runs.size() > 1 ? runs.size() : real.size());
     for (std::size_t i = 0; i < real.size(); ++i)
         folds.of[i] =
@@ -70,8 +73,10 @@ HeldOutFolds heldOutFolds(const std::vector<TwoTrackScene>& real,
     return folds;
 }
 
-Result<CardMix> chooseMix(const std::vector<TwoTrackScene>& real, const HeldOutFolds& folds,
-                          const std::vector<TwoTrackScene>& generated, const MixJudge& judge)
+template <class SceneType>
+Result<CardMix> chooseMix(const std::vector<SceneType>& real, const HeldOutFolds& folds,
+                          const std::vector<SceneType>& generated,
+                          const std::type_identity_t<MixJudge<SceneType>>& judge)
 {
     CardMix mix{.heldOut = folds.by};
     double least = INFINITY;
@@ -90,9 +95,23 @@ Result<CardMix> chooseMix(const std::vector<TwoTrackScene>& real, const HeldOutF
     return mix;
 }
 
-std::string mixText(const CardMix& mix)
+template std::vector<Scene> mixedScenes(const std::vector<Scene>&, const std::vector<Scene>&,
+                                        double);
+template HeldOutFolds heldOutFolds(const std::vector<Scene>&, const std::vector<std::size_t>&);
+template Result<CardMix> chooseMix(const std::vector<Scene>&, const HeldOutFolds&,
+                                   const std::vector<Scene>&, const MixJudge<Scene>&);
+template std::vector<TwoTrackScene> mixedScenes(const std::vector<TwoTrackScene>&,
+                                                const std::vector<TwoTrackScene>&, double);
+template HeldOutFolds heldOutFolds(const std::vector<TwoTrackScene>&,
+                                   const std::vector<std::size_t>&);
+template Result<CardMix> chooseMix(const std::vector<TwoTrackScene>&, const HeldOutFolds&,
+                                   const std::vector<TwoTrackScene>&,
+                                   const MixJudge<TwoTrackScene>&);
+
+std::string mixText(const CardMix& mix, std::string_view of)
 {
-    std::string text = fmt::format("mean |error| on real scenes, held out in {}\n", mix.heldOut);
+    std::string text =
+        fmt::format("{}mean |error| on real scenes, held out in {}\n", of, mix.heldOut);
     for (const CardMix::Trial& trial : mix.trials)
         text += fmt::format("  generated scenes with weight {:<4}  {:6.1f} mm{}\n", trial.weight,
                             1000.0 * trial.meanError, trial.weight == mix.weight ? "  chosen" : "");

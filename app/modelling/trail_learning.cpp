@@ -8,6 +8,7 @@
 
 #include "app/runtime/parallel.h"
 #include "core/learn/data/drive_file.h"
+#include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
 namespace terratact {
@@ -20,10 +21,30 @@ class RowCollector {
 public:
     RowCollector(const TrailPlan& plan, bool sides) : plan_(plan), sides_(sides) {}
 
+    /// Adds the drives of a file. Returns notices about it.
+    Result<std::vector<Message>> addFile(const std::string& path)
+    {
+        auto read = readDrives(path, [&](DriveLines&& drive) { add(std::move(drive)); });
+        if (read && unfit_)
+            return fileError(path,
+                             sides_ ? "holds drives of one plane: expected drives on two tracks"
+                                    : "holds drives on two tracks: expected drives of one plane");
+        return read;
+    }
+
+    /// Returns all rows.
+    TrailRows finish()
+    {
+        flush();
+        return joined(rows_);
+    }
+    int drives() const { return drives_; }
+
+private:
     void add(DriveLines&& drive)
     {
-        if (drive.onePlane == sides_) ++unfit_;
-        if (unfit_ > 0) return;
+        unfit_ = unfit_ || drive.onePlane == sides_;
+        if (unfit_) return;
         waiting_.push_back(std::move(drive));
         if (waiting_.size() == kDrivesAtOnce) flush();
     }
@@ -41,33 +62,29 @@ public:
         waiting_.clear();
     }
 
-    /// Returns all rows.
-    TrailRows take() { return joined(rows_); }
-    int drives() const { return drives_; }
-    int unfit() const { return unfit_; }
-
-private:
     const TrailPlan& plan_;
     bool sides_;
     std::vector<DriveLines> waiting_;
     std::vector<TrailRows> rows_;
-    int drives_ = 0, unfit_ = 0;
+    int drives_ = 0;
+    bool unfit_ = false;  ///< a drive of the other kind came
 };
 
-Result<TrailNetworks> learnFrom(const std::string& path, bool sides, const TrailPlan& plan,
+Result<TrailNetworks> learnFrom(const std::vector<std::string>& files, bool sides,
+                                const TrailPlan& plan,
                                 const std::function<void(const std::string&)>& notice)
 {
     RowCollector collector(plan, sides);
-    const auto read =
-        readDrives(path, [&](DriveLines&& drive) { collector.add(std::move(drive)); });
-    if (!read) return read.error();
-    for (const Message& sentence : *read) notice(sentence.english());
-    collector.flush();
-    if (collector.unfit() > 0)
-        return fileError(path, sides ? "holds drives of one plane: expected drives on two tracks"
-                                     : "holds drives on two tracks: expected drives of one plane");
-    const TrailRows rows = collector.take();
-    notice(fmt::format("{}: {} drives, {} rows{}", path, collector.drives(), rows.inputs.cols(),
+    for (const std::string& path : files) {
+        const auto read = collector.addFile(path);
+        if (!read) return read.error();
+        for (const Message& sentence : *read) notice(sentence.english());
+    }
+    const TrailRows rows = collector.finish();
+    const std::string name = files.size() == 1
+                               ? files.front()
+                               : fmt::format("{} and {} more", files.front(), files.size() - 1);
+    notice(fmt::format("{}: {} drives, {} rows{}", name, collector.drives(), rows.inputs.cols(),
                        rows.leftOut > 0 ? fmt::format(", {} scenes left out", rows.leftOut) : ""));
     const ForEach sideBySide = [](int count, const std::function<void(int)>& work) {
         parallelFor(count, work);
@@ -77,20 +94,25 @@ Result<TrailNetworks> learnFrom(const std::string& path, bool sides, const Trail
     try {
         return trainTrail(rows, sides, options, sideBySide);
     } catch (const std::invalid_argument& refused) {
-        return fileError(path, refused.what());
+        return fileError(files.front(), refused.what());
     }
 }
 
-Status learnInto(TrailNetworks& networks, std::string& hash, const std::string& path, bool sides,
-                 const TrailPlan& plan, const std::function<void(const std::string&)>& notice)
+Status learnInto(TrailNetworks& networks, std::string& hash, const std::vector<std::string>& files,
+                 bool sides, const TrailPlan& plan,
+                 const std::function<void(const std::string&)>& notice)
 {
-    if (path.empty()) return Done{};
-    const auto digest = sha256OfFile(path);
-    if (!digest) return digest.error();
-    auto learnt = learnFrom(path, sides, plan, notice);
+    if (files.empty()) return Done{};
+    std::string hashes;
+    for (const std::string& path : files) {
+        const auto digest = sha256OfFile(path);
+        if (!digest) return digest.error();
+        hashes += *digest;
+    }
+    auto learnt = learnFrom(files, sides, plan, notice);
     if (!learnt) return learnt.error();
     networks = std::move(*learnt);
-    hash = *digest;
+    hash = files.size() == 1 ? hashes : sha256Hex(hashes);
     return Done{};
 }
 

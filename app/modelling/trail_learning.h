@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/robot/robot_model.h"
@@ -13,8 +14,8 @@ namespace terratact {
 /// Input and options of a training of trail networks.
 struct TrailPlan {
     RobotModel robot;
-    std::string drives;       ///< CSV of drives in one plane; empty: none
-    std::string trackDrives;  ///< CSV of drives on two tracks; empty: none
+    /// CSV of drives in one plane, and on two tracks, of which the measured ones have sd; empty: none.
+    std::vector<std::string> drives{}, trackDrives{};
     std::string commandLine;  ///< stored in the file
     std::uint64_t seed = 1;
     TrailOptions options{};

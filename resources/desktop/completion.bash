@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | simulate:--floor-poses | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | simulate:--floor-poses | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | "session scenes":--drives | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | "session report":--mission | \
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
@@ -149,7 +149,7 @@ _terratact_options() {
     "session verify") echo --link ;;
     "session export") echo --out --format --what --from --to --dbc ;;
     "session recover") echo --out ;;
-    "session scenes") echo --out --measured --tracks ;;
+    "session scenes") echo --out --measured --tracks --drives ;;
     "session strip") echo --out --section ;;
     "session report") echo --scene --mission --dbc --out ;;
     "session merge") echo --out ;;

@@ -13,7 +13,7 @@ PAGE = pathlib.Path(SOURCE, "docs/import.md")
 
 class Commands(PageCommands):
     def test_every_command_prints_what_the_document_says(self):
-        self.run_page("import.md", 7)
+        self.run_page("import.md", 8)
 
     def test_every_key_of_the_example_is_known(self):
         page = PAGE.read_text()

@@ -1,9 +1,10 @@
 """Runs every command of docs/truth.md, and checks what only the command line does."""
 
+import pathlib
 import unittest
 
 from docs_support import PageCommands
-from support import Folder, complaint, rows, run
+from support import SOURCE, Folder, complaint, rows, run
 
 
 class Commands(PageCommands):
@@ -29,7 +30,29 @@ class Outputs(Folder):
                     self.assertAlmostEqual(float(exact[name]), float(found[name]), delta=0.1)
         run("train", "--data", truth, "--out", self.path / "m.ttm")
 
-    def test_a_failure_writes_and_overwrites_nothing(self):
+    def test_drives_of_a_session_get_heights_with_their_sd(self):
+        cloud, recording, session, drives, truth = (
+            self.path / name for name in ("m.pcd", "d.mcap", "d.tts", "d.csv", "dt.csv"))
+        mapping = pathlib.Path(SOURCE, "resources/mappings/simulated_robot.toml")
+        run("simulate", "--terrain", "varied", "--tracks", "--count", 8, "--out", self.path / "k.csv", "--cloud", cloud,
+            "--poses", self.path / "kp.csv", "--recording", recording)
+        run("import", recording, "--mapping", mapping, "--out", session)
+        run("session", "scenes", session, "--tracks", "--drives", "--out", drives)
+        ways = [float(row["travelled_m"]) for row in rows(drives) if row["kind"] == "way"]
+        self.assertGreater(len(ways), sum(row["kind"] == "scene" for row in rows(drives)))
+        self.assertGreater(max(ways) - min(ways), 1.0)
+        run("truth", cloud, "--scenes", drives, "--poses", recording, "--mapping", mapping, "--session", session,
+            "--out", truth)
+        lines = rows(truth)
+        self.assertEqual(len(lines), len(rows(drives)))
+        scenes = [line for line in lines if line["kind"] == "scene"]
+        self.assertGreater(sum(line["left_h_+0.0_m"] != "" for line in scenes), len(scenes) // 2)
+        for line in lines:
+            self.assertEqual(line["left_h_+0.0_m"] == "", line["left_sd_+0.0_m"] == "")
+        self.assertTrue(all(line["left_h_+0.0_m"] == "" for line in lines if line["kind"] == "way"))
+        self.assertIn("too few scenes", complaint("train", "--track-drives", truth, "--out", self.path / "n.ttn"))
+
+    def test_nothing_is_written_or_overwritten_where_it_fails(self):
         scenes, cloud, poses, truth = self.files
         cloud.write_bytes(cloud.read_bytes()[:5000])
         self.assertIn("it is cut", complaint("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", truth, "--sheet",

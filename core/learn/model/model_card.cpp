@@ -90,6 +90,9 @@ void readCard(TomlSection& file, ModelCard& card)
     if (file.has("terrain")) card.terrain = file.text("terrain");
     if (file.has("generated"))
         file.section("generated", [&](TomlSection& section) { card.mix = mixFrom(section); });
+    if (file.has("generated_planes"))
+        file.section("generated_planes",
+                     [&](TomlSection& section) { card.planeMix = mixFrom(section); });
     if (!file.has("evaluation")) return;
     for (const toml::node& node :
          tomlArray(file.node("evaluation"), "evaluation", 1, kMaxCardScores)) {
@@ -113,6 +116,16 @@ std::string quoted(const std::string& text)
     return out + '"';
 }
 
+std::string mixSection(const char* name, const CardMix& mix)
+{
+    std::string errors;
+    for (const CardMix::Trial& trial : mix.trials)
+        errors += (errors.empty() ? "[[" : ", [") + numberText(trial.weight) + ", "
+                + numberText(trial.meanError) + ']';
+    return std::string("\n[") + name + "]\nweight = " + numberText(mix.weight)
+         + "\nheld_out = " + quoted(mix.heldOut) + "\nmean_errors_m = " + errors + "]\n";
+}
+
 std::string textOf(const ModelCard& card)
 {
     std::string text =
@@ -123,16 +136,8 @@ std::string textOf(const ModelCard& card)
     };
     if (!card.trained.empty()) line("trained", quoted(card.trained));
     if (!card.terrain.empty()) line("terrain", quoted(card.terrain));
-    if (card.mix) {
-        std::string errors;
-        for (const CardMix::Trial& trial : card.mix->trials)
-            errors += (errors.empty() ? "[[" : ", [") + numberText(trial.weight) + ", "
-                    + numberText(trial.meanError) + ']';
-        text += "\n[generated]\n";
-        line("weight", numberText(card.mix->weight));
-        line("held_out", quoted(card.mix->heldOut));
-        line("mean_errors_m", errors + ']');
-    }
+    if (card.mix) text += mixSection("generated", *card.mix);
+    if (card.planeMix) text += mixSection("generated_planes", *card.planeMix);
     for (const CardScores& scores : card.scores) {
         text += "\n[[evaluation]]\n";
         line("method", quoted(scores.method));

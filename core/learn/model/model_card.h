@@ -42,10 +42,11 @@ inline constexpr std::size_t kMaxMixTrials = 16;
 /// Model card: facts about a model that its file does not hold. They do not affect predictions, or
 /// are known later. It is a file beside the model, whose bytes and hash do not change.
 struct ModelCard {
-    std::string model;               ///< contentHash() of its model
-    std::string trained;             ///< "2026-11-22T07:05:00Z"; empty: unknown
-    std::string terrain;             ///< terrain of the training; empty: unknown
-    std::optional<CardMix> mix{};    ///< empty: the training did not choose
+    std::string model;    ///< contentHash() of its model
+    std::string trained;  ///< "2026-11-22T07:05:00Z"; empty: unknown
+    std::string terrain;  ///< terrain of the training; empty: unknown
+    /// Generated scenes of two tracks, and of one plane; empty: the training did not choose.
+    std::optional<CardMix> mix{}, planeMix{};
     std::vector<CardScores> scores;  ///< oldest first, one per method and scenes file
     bool operator==(const ModelCard&) const = default;
 };

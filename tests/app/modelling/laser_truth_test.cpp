@@ -11,6 +11,7 @@
 #include "app/modelling/laser_truth_report.h"
 #include "core/clouds/cloud_messages.h"
 #include "core/clouds/made_cloud.h"
+#include "core/learn/data/drive_file.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/csv_text.h"
@@ -101,6 +102,48 @@ TEST_F(LaserFiles, aFileOfOnePlaneGetsTheMeanOfBothSides)
     ASSERT_TRUE(truth->plane[0].truth[0]);
     EXPECT_NEAR(*truth->plane[0].truth[0], -robot.baseHeight - robot.imu.z, 0.002);
     EXPECT_TRUE(readScenesWithTruth(directory.write("out.csv", truthScenesCsv(*truth))));
+}
+
+TEST_F(LaserFiles, drivesKeepTheirWay)
+{
+    for (const bool onePlane : {false, true}) {
+        DriveLines drive{.run = "a", .onePlane = onePlane, .lines = {}};
+        for (int i = 0; i < 3; ++i)
+            for (const bool isScene : {false, true}) {
+                DriveLine line{.line = measurementOf(TwoTrackReadings{}), .isScene = isScene};
+                line.line.time = static_cast<double>(i);
+                line.line.activity = isScene ? RobotActivity::Pressed : RobotActivity::Driving;
+                line.line.travelled = 0.1 * i;
+                line.line.turned = 0.0;
+                drive.lines.push_back(line);
+            }
+        options.scenes = directory.write("drives.csv", drivesHeader(onePlane) + driveText(drive));
+        const auto truth = laserTruth(options);
+        ASSERT_TRUE(truth) << truth.error().text;
+        EXPECT_EQ(truth->scenes(), 3U);
+        EXPECT_LT(worst(*truth), 0.02);
+        const auto again = readDrives(directory.write("out.csv", truthScenesCsv(*truth)));
+        ASSERT_TRUE(again) << again.error().text;
+        ASSERT_EQ(again->drives.size(), 1U);
+        const std::vector<DriveLine>& lines = again->drives[0].lines;
+        ASSERT_EQ(lines.size(), 6U);
+        EXPECT_EQ(lines[0], drive.lines[0]);
+        ASSERT_TRUE(lines[1].truth[0][2]);
+        ASSERT_TRUE(lines[1].truthSd[0][2]);
+        const auto& wanted = onePlane ? truth->plane[0].truth : truth->tracks[0].truth[0];
+        EXPECT_NEAR(*lines[1].truth[0][2], *wanted[2], 1e-5);
+    }
+}
+
+TEST_F(LaserFiles, cloudsThatTellNothingAreNamed)
+{
+    options.clouds = {directory.write("nan.xyz", "nan nan nan\ninf 1 2\n")};
+    EXPECT_TRUE(refused(laserTruth(options), options.clouds[0], {"all of its 2 points", "in m"}));
+    std::vector<CloudPoint> larger = points;
+    for (CloudPoint& p : larger) p = {1e3 * p.x + 5e3, 1e3 * p.y, 1e3 * p.z};
+    options.clouds = {directory.write("mm.pcd", pcdText(larger))};
+    EXPECT_TRUE(refused(laserTruth(options), options.clouds[0],
+                        {"no point lies under a scene", "the robot within x", "in mm?"}));
 }
 
 TEST_F(LaserFiles, clocksThatDifferAreToldWithBothSpans)

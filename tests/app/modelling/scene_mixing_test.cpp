@@ -131,6 +131,67 @@ TEST_F(MixTraining, tooFewRealScenesAreRefused)
     EXPECT_TRUE(refused(trainModel(plan), plan.tracks, {"too few", "any weight"}));
 }
 
+TEST_F(MixTraining, wrongGeneratedPlanesAreLeftOut)
+{
+    const auto scenes = someScenes(10, 1);
+    const auto half = scenes.begin() + std::ssize(scenes) / 2;
+    auto wrong = someScenes(3, 2);
+    for (Scene& scene : wrong)
+        for (std::size_t i = 0; i < kBins; ++i)
+            if (scene.truth[i]) *scene.truth[i] += i % 2 == 0 ? 0.3 : -0.3;
+    plan = TrainingPlan();
+    plan.robot = absolem();
+    plan.data = directory.write("first.csv", scenesText({scenes.begin(), half}));
+    plan.moreData = {directory.write("second.csv", scenesText({half, scenes.end()}))};
+    plan.generated = {directory.write("wrong.csv", scenesText(wrong))};
+    std::optional<CardMix> ofPlane, ofTracks;
+    TrainingWatch watch;
+    watch.planeMix = [&](const CardMix& chosen) { ofPlane = chosen; };
+    watch.mix = [&](const CardMix& chosen) { ofTracks = chosen; };
+    const auto model = trainModel(plan, watch);
+    ASSERT_TRUE(model) << model.error().text;
+    ASSERT_TRUE(ofPlane);
+    EXPECT_FALSE(ofTracks);
+    EXPECT_EQ(ofPlane->weight, 0.0) << mixText(*ofPlane);
+    EXPECT_EQ(ofPlane->heldOut, "2 files");
+    EXPECT_EQ(model->heights, prepareTraining(scenes).model.heights);
+    plan.generated.clear();
+    const auto alone = trainModel(plan);
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(model->paf.bins[3].noiseSd, alone->paf.bins[3].noiseSd);
+    EXPECT_NE(model->dataHash, alone->dataHash) << "the hash is of other files";
+}
+
+TEST_F(MixTraining, goodGeneratedPlanesAreLearntToo)
+{
+    const auto real = someScenes(6, 1), generated = someScenes(6, 2);
+    plan = TrainingPlan();
+    plan.robot = absolem();
+    plan.data = directory.write("real.csv", scenesText(real));
+    plan.generated = {directory.write("generated.csv", scenesText(generated))};
+    std::optional<CardMix> mix;
+    TrainingWatch watch;
+    watch.planeMix = [&](const CardMix& chosen) { mix = chosen; };
+    const auto model = trainModel(plan, watch);
+    ASSERT_TRUE(model) << model.error().text;
+    ASSERT_TRUE(mix);
+    EXPECT_GT(mix->weight, 0.0) << mixText(*mix);
+    EXPECT_EQ(model->heights.rows(),
+              prepareTraining(mixedScenes(real, generated, mix->weight)).used);
+}
+
+TEST_F(MixTraining, generatedScenesThatNothingLearnsAreRefused)
+{
+    const std::string planes = directory.write("planes.csv", scenesText(someScenes(2, 3)));
+    plan.generated = {planes};
+    EXPECT_TRUE(refused(trainModel(plan), planes, {"one plane", "--plane", "--data"}));
+    TrainingPlan ofPlane;
+    ofPlane.robot = absolem();
+    ofPlane.data = planes;
+    ofPlane.generated = {written("sides.csv", someTrackScenes(2, 3))};
+    EXPECT_TRUE(refused(trainModel(ofPlane), ofPlane.generated[0], {"left and right", "--tracks"}));
+}
+
 TEST_F(MixTraining, furtherFilesAreLearntToo)
 {
     const auto scenes = someTrackScenes(12, 1);

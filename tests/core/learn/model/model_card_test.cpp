@@ -43,6 +43,7 @@ TEST_F(ModelCardFile, everyCardSurvivesARoundTrip)
 {
     ModelCard sent = card();
     sent.mix = CardMix{.weight = 0.25, .heldOut = "2 files", .trials = {{0.0, 0.1}, {0.25, 0.03}}};
+    sent.planeMix = CardMix{.weight = 1.0, .heldOut = "3 runs", .trials = {{1.0, 0.02}}};
     for (std::size_t k = 0; k < kMaxCardScores; ++k) {
         ASSERT_TRUE(writeModelCard(model, sent));
         const auto got = readModelCard(model, kContent);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+
+namespace terratact {
+
+/// Kind of a file of scenes or drives, by its header.
+struct SceneKind {
+    bool isPlane = false;   ///< it has no column roll_rad
+    bool isDrives = false;  ///< it has a column kind
+};
+
+/// Returns it. Errors name a file that cannot be read.
+Result<SceneKind> sceneKindOf(const std::string& path);
+
+}  // namespace terratact
