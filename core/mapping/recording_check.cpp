@@ -224,7 +224,7 @@ void addJumps(const RecordedSeries& series, Findings& findings)
 /// Adds the longest pause of the pitch, if the clock may have been set forward in it.
 void addPause(const RecordedSeries& series, Findings& findings)
 {
-    constexpr double kLongPause = 60.0;  // [s]
+    constexpr double kLongPause = 600.0;  // [s]
     const Series& pitch = series.of.at(static_cast<std::size_t>(Quantity::Pitch));
     std::int64_t longest = 0, at = 0;
     for (std::size_t i = 1; i < pitch.size(); ++i)
