@@ -14,11 +14,11 @@ constexpr Claim kClaim{"b errs less than a", Method::Pa, Method::Pac, 4, 5};
 /// Scenes of several drives with one error per method and bin. The drives differ (sd
 /// `betweenRuns`), the scenes of one drive hardly differ. The errors of method Pac are larger by
 /// `change`.
-struct World {
+struct ClaimWorld {
     std::vector<Scene> scenes;
     std::vector<BinError> errors;
 
-    World(int runs, int scenesPerRun, double change, double betweenRuns)
+    ClaimWorld(int runs, int scenesPerRun, double change, double betweenRuns)
     {
         std::mt19937_64 rng(11);
         const auto uniform = [&rng] { return static_cast<double>(rng() >> 11U) * 0x1p-53; };
@@ -57,14 +57,14 @@ TEST(Claims, areThoseOfThePaper)
 
 TEST(Judge, findsGainLossAndNoDifference)
 {
-    EXPECT_EQ(World(20, 10, -0.05, 0.02).judged().verdict, ClaimVerdict::Holds);
-    EXPECT_EQ(World(20, 10, +0.05, 0.02).judged().verdict, ClaimVerdict::DoesNotHold);
-    EXPECT_EQ(World(20, 10, 0.0, 0.02).judged().verdict, ClaimVerdict::NotDecided);
+    EXPECT_EQ(ClaimWorld(20, 10, -0.05, 0.02).judged().verdict, ClaimVerdict::Holds);
+    EXPECT_EQ(ClaimWorld(20, 10, +0.05, 0.02).judged().verdict, ClaimVerdict::DoesNotHold);
+    EXPECT_EQ(ClaimWorld(20, 10, 0.0, 0.02).judged().verdict, ClaimVerdict::NotDecided);
 }
 
 TEST(Judge, reportsMediansAndAnIntervalAroundTheirDifference)
 {
-    const ClaimResult r = World(20, 10, -0.05, 0.02).judged();
+    const ClaimResult r = ClaimWorld(20, 10, -0.05, 0.02).judged();
     EXPECT_EQ(r.n, 400U);
     EXPECT_EQ(r.runs, 20U);
     EXPECT_NEAR(r.baseMedian, 0.11, 0.01);
@@ -77,24 +77,24 @@ TEST(Judge, reportsMediansAndAnIntervalAroundTheirDifference)
 TEST(Judge, countsDrivesNotScenes)
 {
     // More scenes of the same drives add no information: the interval keeps its width.
-    const ClaimResult few = World(8, 5, -0.01, 0.05).judged();
-    const ClaimResult many = World(8, 100, -0.01, 0.05).judged();
+    const ClaimResult few = ClaimWorld(8, 5, -0.01, 0.05).judged();
+    const ClaimResult many = ClaimWorld(8, 100, -0.01, 0.05).judged();
     EXPECT_GT(many.high - many.low, 0.3 * (few.high - few.low));
     EXPECT_GT(many.high - many.low, 0.01);
 }
 
 TEST(Judge, decidesNothingFromFewerThanFiveDrives)
 {
-    const ClaimResult four = World(4, 50, -0.05, 0.001).judged();
+    const ClaimResult four = ClaimWorld(4, 50, -0.05, 0.001).judged();
     EXPECT_EQ(four.verdict, ClaimVerdict::NotDecided);
     EXPECT_NEAR(four.betterMedian - four.baseMedian, -0.05, 0.01);
     EXPECT_EQ(four.low, 0.0);
-    EXPECT_EQ(World(5, 50, -0.05, 0.001).judged().verdict, ClaimVerdict::Holds);
+    EXPECT_EQ(ClaimWorld(5, 50, -0.05, 0.001).judged().verdict, ClaimVerdict::Holds);
 }
 
 TEST(Judge, comparesOnlyBinsThatBothMethodsEstimated)
 {
-    World world(6, 4, 0.0, 0.0);
+    ClaimWorld world(6, 4, 0.0, 0.0);
     const ClaimResult before = world.judged();
     Scene alone;
     alone.run = "run0";
@@ -113,14 +113,14 @@ TEST(Judge, comparesOnlyBinsThatBothMethodsEstimated)
 
 TEST(Judge, isRepeatableByItsSeed)
 {
-    const World world(8, 5, -0.01, 0.05);
+    const ClaimWorld world(8, 5, -0.01, 0.05);
     EXPECT_EQ(world.judged(3).low, world.judged(3).low);
     EXPECT_NE(world.judged(3).low, world.judged(4).low);
 }
 
 TEST(Judge, usesTheMiddleOfTwoWhenTheNumberIsEven)
 {
-    World world(1, 1, 0.0, 0.0);
+    ClaimWorld world(1, 1, 0.0, 0.0);
     world.errors = {{.scene = 0, .label = "pa", .bin = 4, .error = -0.01},
                     {.scene = 0, .label = "pa", .bin = 5, .error = 0.05},
                     {.scene = 0, .label = "pac", .bin = 4, .error = 0.02},
@@ -131,7 +131,7 @@ TEST(Judge, usesTheMiddleOfTwoWhenTheNumberIsEven)
 
 TEST(Judge, decidesNothingWithoutErrorsAndRefusesOtherScenes)
 {
-    World world(6, 2, 0.0, 0.0);
+    ClaimWorld world(6, 2, 0.0, 0.0);
     EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).n, 0U);
     EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).verdict, ClaimVerdict::NotDecided);
     EXPECT_THROW(judge(kClaim, world.errors, {}, 1), std::invalid_argument);

@@ -82,11 +82,11 @@ TEST(BootstrapDrives, ofTheMeanSpreadsAsItsStandardError)
 }
 
 /// `runs` drives of `perRun` scenes; the errors of a drive are equal: 1, 2, … cm.
-struct World {
+struct ClusteredWorld {
     std::vector<Scene> scenes;
     std::vector<BinError> errors;
 
-    World(std::size_t runs, std::size_t perRun)
+    ClusteredWorld(std::size_t runs, std::size_t perRun)
     {
         for (std::size_t k = 0; k < runs * perRun; ++k) {
             const std::size_t run = k / perRun;
@@ -107,8 +107,8 @@ struct World {
 
 TEST(Confidence, countsDrivesNotScenes)
 {
-    const World few(8, 1);
-    const World many(8, 50);
+    const ClusteredWorld few(8, 1);
+    const ClusteredWorld many(8, 50);
     const auto a = confidence(few.errors, few.scenes, 1);
     const auto b = confidence(many.errors, many.scenes, 1);
     ASSERT_EQ(a.size(), 1U);
@@ -128,7 +128,7 @@ TEST(Confidence, countsDrivesNotScenes)
 
 TEST(Confidence, needsFiveDrivesAndRefusesOtherScenes)
 {
-    const World world(4, 10);
+    const ClusteredWorld world(4, 10);
     EXPECT_FALSE(confidence(world.errors, world.scenes, 1)[0].intervals);
     EXPECT_THROW(confidence(world.errors, {}, 1), std::invalid_argument);
     EXPECT_THROW(confidence(world.errors, world.scenes, 1, 0), std::invalid_argument);

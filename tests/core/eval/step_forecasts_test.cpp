@@ -53,7 +53,7 @@ TEST(StepForecasts, needTheTruthOfTheirBinsAndDraws)
 }
 
 /// Forecasts of one place, scene k of drive k.
-struct World {
+struct ForecastWorld {
     std::vector<StepForecast> forecasts;
     std::vector<Scene> scenes;
 
@@ -66,7 +66,7 @@ struct World {
 
 TEST(BrierSummaries, decomposeTheScore)
 {
-    World world;  // by hand: score 0.1525
+    ForecastWorld world;  // by hand: score 0.1525
     world.add(0.1, false);
     world.add(0.1, false);
     world.add(0.1, true);
@@ -96,7 +96,7 @@ TEST(BrierSummaries, decomposeTheScore)
 
 TEST(BrierSummaries, certainForecastsFallIntoTheOuterClasses)
 {
-    World world;
+    ForecastWorld world;
     world.add(0.0, false);
     world.add(1.0, true);
     const auto summaries = brierSummaries(world.forecasts, world.scenes, 1);
@@ -110,7 +110,7 @@ TEST(BrierSummaries, certainForecastsFallIntoTheOuterClasses)
 
 TEST(BrierSummaries, separateLabelsAndPlaces)
 {
-    World world;
+    ForecastWorld world;
     world.add(0.5, true);
     world.add(0.5, true);
     world.forecasts[1].label = "flat";

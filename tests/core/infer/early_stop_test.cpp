@@ -13,11 +13,10 @@
 #include "core/infer/sampling/convergence.h"
 #include "core/infer/sampling/draw_summary.h"
 #include "core/infer/sampling/gibbs.h"
+#include "tests/support/infinity.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Toy conditionals with sd `sd`. The mean is `pull` times the last of the other unknown bins'
 /// states. The bin numbered `stuck` has its own state as mean.

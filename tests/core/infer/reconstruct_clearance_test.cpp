@@ -9,12 +9,11 @@
 
 #include "core/infer/estimate/quantile.h"
 #include "core/infer/sampling/clearance_states.h"
+#include "tests/support/infinity.h"
 #include "tests/support/toy_clearance.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Settings clearanceSettings(int draws = 400)
 {
@@ -29,24 +28,28 @@ Settings clearanceSettings(int draws = 400)
 
 // ---- simulated scenes
 
-struct Bench {
+struct ClearanceBench {
     RobotModel robot = absolem();
     ClearanceTraining training = campaignTraining();
     ClearanceConditionals models{training, plausibleConditionals(training)};
     std::vector<Scene> scenes = someScenes(3, 42, SensorNoise::none());
 };
 
-const Bench& bench()
+const ClearanceBench& clearanceBench()
 {
-    static const Bench shared;
+    static const ClearanceBench shared;
     return shared;
 }
 
 bool isTrained(const Scene& scene)
 {
-    const Heights ceiling = bodyCeiling(bench().robot, scene.s.pitch, scene.s.front, scene.s.rear);
+    const Heights ceiling =
+        bodyCeiling(clearanceBench().robot, scene.s.pitch, scene.s.front, scene.s.rear);
     for (int i = 0; i < kBins; ++i)
-        if (bench().models.data().at(i, regimeOf(ceiling[static_cast<std::size_t>(i)])).rows
+        if (clearanceBench()
+                .models.data()
+                .at(i, regimeOf(ceiling[static_cast<std::size_t>(i)]))
+                .rows
             < kMinTrainingRows)
             return false;
     return true;
@@ -54,17 +57,17 @@ bool isTrained(const Scene& scene)
 
 const Scene& trainedScene()
 {
-    return *std::find_if(bench().scenes.begin(), bench().scenes.end(), isTrained);
+    return *std::find_if(clearanceBench().scenes.begin(), clearanceBench().scenes.end(), isTrained);
 }
 
 TEST(ReconstructClearance, keepsEveryDrawBelowItsCeiling)
 {
     int scenes = 0;
-    for (const Scene& scene : bench().scenes) {
+    for (const Scene& scene : clearanceBench().scenes) {
         if (!isTrained(scene)) continue;
         ++scenes;
-        const TerrainEstimate e =
-            reconstructClearance(scene.s, {}, bench().robot, bench().models, clearanceSettings());
+        const TerrainEstimate e = reconstructClearance(
+            scene.s, {}, clearanceBench().robot, clearanceBench().models, clearanceSettings());
         ASSERT_EQ(e.draws.size(), 400U);
         for (std::size_t i = 0; i < kBins; ++i) {
             for (const Heights& h : e.draws) ASSERT_LE(h[i], e.ceiling[i]);
@@ -79,10 +82,11 @@ TEST(ReconstructClearance, keepsEveryDrawBelowItsCeiling)
 
 TEST(ReconstructClearance, factorisesEveryBinInTheRegimeOfTheSceneAlone)
 {
-    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    const ClearanceConditionals models(clearanceBench().training,
+                                       plausibleConditionals(clearanceBench().training));
     for (const Regime regime : kRegimes) EXPECT_EQ(models.factorised(regime), BinSet{});
-    const TerrainEstimate e =
-        reconstructClearance(trainedScene().s, {}, bench().robot, models, clearanceSettings());
+    const TerrainEstimate e = reconstructClearance(trainedScene().s, {}, clearanceBench().robot,
+                                                   models, clearanceSettings());
     BinSet covered;
     for (std::size_t i = 0; i < kBins; ++i)
         covered.set(i, regimeOf(e.ceiling[i]) == Regime::Covered);
@@ -94,10 +98,10 @@ TEST(ReconstructClearance, factorisesEveryBinInTheRegimeOfTheSceneAlone)
 TEST(ReconstructClearance, findsTheGroundUnderTheRobot)
 {
     std::vector<double> errors;
-    for (const Scene& scene : bench().scenes) {
+    for (const Scene& scene : clearanceBench().scenes) {
         if (!isTrained(scene)) continue;
-        const TerrainEstimate e =
-            reconstructClearance(scene.s, {}, bench().robot, bench().models, clearanceSettings());
+        const TerrainEstimate e = reconstructClearance(
+            scene.s, {}, clearanceBench().robot, clearanceBench().models, clearanceSettings());
         for (std::size_t i = 0; i < kBins; ++i)
             if (!std::isinf(e.ceiling[i]))
                 errors.push_back(std::abs(e.height[i] - *scene.truth[i]));
@@ -107,8 +111,8 @@ TEST(ReconstructClearance, findsTheGroundUnderTheRobot)
 
 TEST(ReconstructClearance, showsTheMedianOfItsDraws)
 {
-    const TerrainEstimate e = reconstructClearance(trainedScene().s, {}, bench().robot,
-                                                   bench().models, clearanceSettings());
+    const TerrainEstimate e = reconstructClearance(trainedScene().s, {}, clearanceBench().robot,
+                                                   clearanceBench().models, clearanceSettings());
     for (std::size_t i = 0; i < kBins; ++i) {
         std::vector<double> heights;
         for (const Heights& h : e.draws) heights.push_back(h[i]);
@@ -122,7 +126,8 @@ TEST(ReconstructClearance, repeatsBitForBit)
     const auto run = [](std::uint64_t seed) {
         Settings settings = clearanceSettings();
         settings.seed = seed;
-        return reconstructClearance(trainedScene().s, {}, bench().robot, bench().models, settings);
+        return reconstructClearance(trainedScene().s, {}, clearanceBench().robot,
+                                    clearanceBench().models, settings);
     };
     EXPECT_EQ(run(1), run(1));
     EXPECT_NE(run(1).draws, run(2).draws);
@@ -133,7 +138,8 @@ TEST(ReconstructClearance, throughInducingRowsComesCloseToTheTrainedModels)
     const auto through = [](int inducing) {
         Settings settings = clearanceSettings();
         settings.inducing = inducing;
-        return reconstructClearance(trainedScene().s, {}, bench().robot, bench().models, settings);
+        return reconstructClearance(trainedScene().s, {}, clearanceBench().robot,
+                                    clearanceBench().models, settings);
     };
     const TerrainEstimate exact = through(0);
     const TerrainEstimate sparse = through(60);
@@ -149,17 +155,19 @@ TEST(ReconstructClearance, takesAContactAsAMeasurement)
     s.force = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0};
     Settings settings = clearanceSettings();
     settings.forceThreshold = 2.0;
-    const TerrainEstimate e = reconstructClearance(s, {}, bench().robot, bench().models, settings);
+    const TerrainEstimate e =
+        reconstructClearance(s, {}, clearanceBench().robot, clearanceBench().models, settings);
     EXPECT_EQ(std::count(e.origin.begin(), e.origin.end(), Origin::Contact), 1);
     EXPECT_EQ(std::count(e.origin.begin(), e.origin.end(), Origin::Sampled), kBins - 1);
 }
 
 TEST(ReconstructClearance, keepsAnExactReadingAndDrawsTheOthers)
 {
-    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    const ClearanceConditionals models(clearanceBench().training,
+                                       plausibleConditionals(clearanceBench().training));
     const ArmReading reading{10, -0.2, kExactSd};
-    const TerrainEstimate e = reconstructClearance(trainedScene().s, {&reading, 1}, bench().robot,
-                                                   models, clearanceSettings());
+    const TerrainEstimate e = reconstructClearance(
+        trainedScene().s, {&reading, 1}, clearanceBench().robot, models, clearanceSettings());
     EXPECT_EQ(e.origin[10], Origin::Arm);
     EXPECT_EQ(e.height[10], -0.2);
     EXPECT_EQ(e.sd[10], kExactSd);
@@ -170,11 +178,12 @@ TEST(ReconstructClearance, keepsAnExactReadingAndDrawsTheOthers)
 
 TEST(ReconstructClearance, samplesNothingWhereEveryReadingIsExact)
 {
-    const ClearanceConditionals models(bench().training, plausibleConditionals(bench().training));
+    const ClearanceConditionals models(clearanceBench().training,
+                                       plausibleConditionals(clearanceBench().training));
     std::vector<ArmReading> arm;
     for (int bin = 0; bin < kBins; ++bin) arm.push_back({bin, 0.5, kExactSd});
-    const TerrainEstimate e =
-        reconstructClearance(trainedScene().s, arm, bench().robot, models, clearanceSettings());
+    const TerrainEstimate e = reconstructClearance(trainedScene().s, arm, clearanceBench().robot,
+                                                   models, clearanceSettings());
     EXPECT_EQ(e.ending, Ending::NotSampled);
     EXPECT_TRUE(e.converged);
     for (const Regime regime : kRegimes) EXPECT_EQ(models.factorised(regime), BinSet{});

@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-struct Bench {
+struct SamplingBench {
     RobotModel robot = absolem();
     ModelData data = toyModel();
     BinModels pa{data, FeatureSet::Pa};
@@ -21,9 +21,9 @@ struct Bench {
     Scene scene = someScenes(3, 42, SensorNoise::none())[4];
 };
 
-const Bench& bench()
+const SamplingBench& samplingBench()
 {
-    static const Bench shared;
+    static const SamplingBench shared;
     return shared;
 }
 
@@ -38,7 +38,7 @@ Settings quick(Method method)
 
 TerrainEstimate estimate(Method method, std::span<const ArmReading> arm = {})
 {
-    const Bench& b = bench();
+    const SamplingBench& b = samplingBench();
     return reconstruct(b.scene.s, arm, b.robot, usesForces(method) ? b.paf : b.pa, quick(method));
 }
 
@@ -69,9 +69,10 @@ TEST(Reconstruct, constrainsPacButNotPa)
 
 TEST(Reconstruct, fixesContactBinsForPafcOnly)
 {
-    Proprioception s = bench().scene.s;
+    Proprioception s = samplingBench().scene.s;
     s.force = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0};
-    const TerrainEstimate e = reconstruct(s, {}, bench().robot, bench().paf, quick(Method::Pafc));
+    const TerrainEstimate e =
+        reconstruct(s, {}, samplingBench().robot, samplingBench().paf, quick(Method::Pafc));
     int contacts = 0;
     for (std::size_t i = 0; i < kBins; ++i) {
         if (e.origin[i] != Origin::Contact) continue;
@@ -80,7 +81,8 @@ TEST(Reconstruct, fixesContactBinsForPafcOnly)
         EXPECT_NEAR(e.q90[i] - e.mean[i], 1.2815515655446004 * e.settings.contactSd, 1e-12);
     }
     EXPECT_EQ(contacts, 1);
-    const TerrainEstimate pac = reconstruct(s, {}, bench().robot, bench().pa, quick(Method::Pac));
+    const TerrainEstimate pac =
+        reconstruct(s, {}, samplingBench().robot, samplingBench().pa, quick(Method::Pac));
     EXPECT_EQ(std::count(pac.origin.begin(), pac.origin.end(), Origin::Contact), 0);
 }
 
@@ -96,12 +98,13 @@ TEST(Reconstruct, fixesTheBinTheArmMeasured)
 
 TEST(Reconstruct, factorisesTheModelsOfSampledBinsAlone)
 {
-    const BinModels models(bench().data, FeatureSet::Paf);
+    const BinModels models(samplingBench().data, FeatureSet::Paf);
     EXPECT_EQ(models.factorised(), BinSet{});
-    Proprioception s = bench().scene.s;
+    Proprioception s = samplingBench().scene.s;
     s.force = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0};
     const std::array arm{ArmReading{9, -0.31, 0.03}, ArmReading{10, -0.3, 0.03}};
-    const TerrainEstimate e = reconstruct(s, arm, bench().robot, models, quick(Method::Pafc));
+    const TerrainEstimate e =
+        reconstruct(s, arm, samplingBench().robot, models, quick(Method::Pafc));
     BinSet sampled;
     for (std::size_t i = 0; i < kBins; ++i) sampled.set(i, e.origin[i] == Origin::Sampled);
     EXPECT_EQ(sampled.count(), 8U);
@@ -110,11 +113,11 @@ TEST(Reconstruct, factorisesTheModelsOfSampledBinsAlone)
 
 TEST(Reconstruct, samplesNothingWhereEveryBinIsMeasured)
 {
-    const BinModels models(bench().data, FeatureSet::Paf);
+    const BinModels models(samplingBench().data, FeatureSet::Paf);
     std::vector<ArmReading> arm;
     for (int bin = 0; bin < kBins; ++bin) arm.push_back({bin, -0.3, 0.03});
-    const TerrainEstimate e =
-        reconstruct(bench().scene.s, arm, bench().robot, models, quick(Method::Pafc));
+    const TerrainEstimate e = reconstruct(samplingBench().scene.s, arm, samplingBench().robot,
+                                          models, quick(Method::Pafc));
     EXPECT_EQ(models.factorised(), BinSet{});
     EXPECT_TRUE(e.converged);
     EXPECT_EQ(e.ending, Ending::NotSampled);
@@ -128,8 +131,8 @@ TEST(Reconstruct, reportsHowSamplingEndedAndCountsDraws)
     settings.chains = 3;
     settings.draws = 100;  // 34 of every chain
     const auto run = [&](const Watch& watch) {
-        return reconstruct(bench().scene.s, {&reading, 1}, bench().robot, bench().pa, settings,
-                           watch);
+        return reconstruct(samplingBench().scene.s, {&reading, 1}, samplingBench().robot,
+                           samplingBench().pa, settings, watch);
     };
     const TerrainEstimate whole = run({});
     EXPECT_EQ(whole.ending, Ending::Sweeps);
@@ -161,7 +164,7 @@ TEST(Reconstruct, repeatsBitForBit)
 
 TEST(Reconstruct, throughInducingRowsComesCloseToTheTrainedModels)
 {
-    const Bench& b = bench();
+    const SamplingBench& b = samplingBench();
     const auto through = [&](int inducing) {
         Settings settings = quick(Method::Pac);
         settings.inducing = inducing;
@@ -180,7 +183,8 @@ TEST(Reconstruct, warnsIfTheChainsHaveNotConverged)
     Settings settings = quick(Method::Pa);
     settings.draws = 16;
     settings.burnIn = 0;
-    const TerrainEstimate e = reconstruct(bench().scene.s, {}, bench().robot, bench().pa, settings);
+    const TerrainEstimate e = reconstruct(samplingBench().scene.s, {}, samplingBench().robot,
+                                          samplingBench().pa, settings);
     EXPECT_FALSE(e.converged);
     ASSERT_FALSE(e.warnings.empty());
     EXPECT_NE(e.warnings.back().english().find("not converged"), std::string::npos);
@@ -188,7 +192,7 @@ TEST(Reconstruct, warnsIfTheChainsHaveNotConverged)
 
 TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)
 {
-    const Bench& b = bench();
+    const SamplingBench& b = samplingBench();
     EXPECT_THROW((void)reconstruct(b.scene.s, {}, b.robot, b.paf, quick(Method::Pa)),
                  std::invalid_argument);
     Proprioception s = b.scene.s;

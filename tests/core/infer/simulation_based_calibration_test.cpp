@@ -24,6 +24,7 @@
 #include <tuple>
 #include <utility>
 
+#include "tests/support/infinity.h"
 #include "tests/support/linear_conditionals.h"
 #include "tests/support/simulation_based_calibration.h"
 
@@ -34,7 +35,6 @@ constexpr double kFalseAlarm = 1e-4;
 constexpr int kDraws = 9;  // ten cells: ten ranks expected in each of 100 sets'
 constexpr int kBurnIn =
     150;  // the slowest mode shrinks by 0.7 per sweep without ceilings, and faster with them
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Smooth ground that rises to the front; neighbours have a correlation of 0.7 [m].
 const Eigen::VectorXd& priorMean()

@@ -1,4 +1,5 @@
 #include "core/robot/attitude.h"
+#include "tests/support/absolem.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +9,6 @@ namespace terratact {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-
-RobotModel absolem()
-{
-    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
-}
 
 Measurement tilted(double pitch, double roll)
 {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
+#include "tests/support/absolem.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -42,13 +43,6 @@ struct RobotFile : testing::Test {
     TemporaryDirectory dir;
     std::string absolem = contentOf(kAbsolem);
 };
-
-RobotModel absolem()
-{
-    Result<RobotModel> robot = readRobotModel(kAbsolem);
-    if (!robot) throw std::runtime_error(robot.error().text);
-    return *std::move(robot);
-}
 
 /// Centre of mass of both flippers of an axle at joint angle 0, base frame; `forward` is +1 or −1.
 Vec2 comOf(const FlipperGeometry& flipper, double forward)

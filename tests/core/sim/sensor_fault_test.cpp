@@ -5,14 +5,10 @@
 #include <cmath>
 
 #include "core/robot/robot_model.h"
+#include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
-
-RobotModel absolem()
-{
-    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
-}
 
 Measurement line(double time, double pitch)
 {

@@ -14,14 +14,10 @@
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"
 #include "core/wire/telemetry_listener.h"
+#include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
-
-RobotModel absolem()
-{
-    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
-}
 
 /// Three drives of different ground and style, made once.
 const std::vector<std::vector<WatchedLine>>& drives()

@@ -12,14 +12,10 @@
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"
+#include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
-
-RobotModel absolem()
-{
-    return *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
-}
 
 const std::vector<WatchedLine>& drive()
 {

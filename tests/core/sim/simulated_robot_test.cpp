@@ -217,9 +217,9 @@ TEST(SimulatedRobot, reportsTheWayOfItsTracksWithTheirSlip)
     };
     const auto [driven, exact] = drivenAndReported(0.0, 1);
     EXPECT_NEAR(exact, driven, 1e-6);
-    constexpr int kDrives = 60;
+    constexpr int kDriveCount = 60;
     double squares = 0.0;
-    for (int seed = 1; seed <= kDrives; ++seed) {
+    for (int seed = 1; seed <= kDriveCount; ++seed) {
         const double slip =
             drivenAndReported(0.10, static_cast<std::uint64_t>(seed)).second / driven - 1.0;
         squares += slip * slip;

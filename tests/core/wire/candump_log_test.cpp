@@ -33,7 +33,7 @@ std::string complaint(std::string_view line)
     return got ? "" : got.error().text;
 }
 
-CanFrame data(std::uint32_t id, std::initializer_list<std::uint8_t> bytes)
+CanFrame classicFrame(std::uint32_t id, std::initializer_list<std::uint8_t> bytes)
 {
     CanFrame frame{.id = id, .length = static_cast<std::uint8_t>(bytes.size())};
     std::copy(bytes.begin(), bytes.end(), frame.data.begin());
@@ -67,11 +67,11 @@ TEST(Candump, readsTheCompactDialect)
     const LoggedFrame frame = parsed("(1436509052.249713) vcan0 044#2A366C2BBA");
     EXPECT_EQ(frame.time, kTime);
     EXPECT_EQ(frame.interface, "vcan0");
-    EXPECT_EQ(frame.frame, data(0x44, {0x2A, 0x36, 0x6C, 0x2B, 0xBA}));
+    EXPECT_EQ(frame.frame, classicFrame(0x44, {0x2A, 0x36, 0x6C, 0x2B, 0xBA}));
     EXPECT_EQ(frame.direction, LogDirection::Unknown);
     EXPECT_EQ(parsed("(1.5) can0 7FF# R").direction, LogDirection::Received);
     EXPECT_EQ(parsed("(1.5) can0 7ff#ab T\r").direction, LogDirection::Sent);
-    EXPECT_EQ(parsed("(1.5) can0 7ff#ab T\r").frame, data(0x7FF, {0xAB}));
+    EXPECT_EQ(parsed("(1.5) can0 7ff#ab T\r").frame, classicFrame(0x7FF, {0xAB}));
     EXPECT_EQ(parsed("(0000000001.500000)     can0 001#").time, 1.5);
     EXPECT_EQ(parsed("(1.5) fifteen-byte-na 001#").interface, "fifteen-byte-na");
 }
@@ -110,7 +110,7 @@ TEST(Candump, readsTheLongDialectWithTimeAndWithout)
     EXPECT_EQ(parsed("  vcan0  TX B E  044  [01]  2A").direction, LogDirection::Sent);
     EXPECT_EQ(parsed(" can0  044   [4]  remote request").frame,
               (CanFrame{.id = 0x44, .remote = true, .length = 4}));
-    EXPECT_EQ(parsed(" can0  044   [0] ").frame, data(0x44, {}));
+    EXPECT_EQ(parsed(" can0  044   [0] ").frame, classicFrame(0x44, {}));
     EXPECT_EQ(parsed("<0x18eeff01> [2] 05 a0").frame,
               (CanFrame{.id = 0x18EEFF01, .extended = true, .length = 2, .data = {5, 0xA0}}));
     EXPECT_EQ(parsed(" can0  00000044  [02]  01 02").frame,
@@ -183,9 +183,9 @@ TEST(Candump, writesWhatItReadsForEveryKindOfFrame)
         EXPECT_EQ(parsed(line), (LoggedFrame{.time = kTime, .interface = "vcan0", .frame = frame}))
             << line;
     }
-    EXPECT_EQ(candumpLine(kTime, "vcan0", data(0x44, {0x2A, 0x36, 0x6C, 0x2B, 0xBA})),
+    EXPECT_EQ(candumpLine(kTime, "vcan0", classicFrame(0x44, {0x2A, 0x36, 0x6C, 0x2B, 0xBA})),
               "(1436509052.249713) vcan0 044#2A366C2BBA");
-    EXPECT_EQ(candumpLine(0.0, "can0", data(0x7FF, {})), "(0000000000.000000) can0 7FF#");
+    EXPECT_EQ(candumpLine(0.0, "can0", classicFrame(0x7FF, {})), "(0000000000.000000) can0 7FF#");
 }
 
 TEST(Candump, keepsTheMicrosecondsOfEveryTime)
@@ -201,7 +201,7 @@ TEST(Candump, keepsTheMicrosecondsOfEveryTime)
 
 TEST(Candump, writesNothingThatHasNoLine)
 {
-    const CanFrame sound = data(0x44, {1});
+    const CanFrame sound = classicFrame(0x44, {1});
     EXPECT_THROW(candumpLine(-1e-9, "can0", sound), std::invalid_argument);
     EXPECT_THROW(candumpLine(1e10, "can0", sound), std::invalid_argument);
     EXPECT_THROW(candumpLine(std::nan(""), "can0", sound), std::invalid_argument);
@@ -247,7 +247,7 @@ TEST_F(CandumpFile, isReadLineByLineInBothDialects)
     const auto frames = read("(1.5) can0 044#01\n\n(1.6)  can1  045   [1]  02\r\n");
     ASSERT_TRUE(frames) << frames.error().text;
     ASSERT_EQ(frames->size(), 2U);
-    EXPECT_EQ((*frames)[1], (LoggedFrame{1.6, "can1", data(0x45, {2})}));
+    EXPECT_EQ((*frames)[1], (LoggedFrame{1.6, "can1", classicFrame(0x45, {2})}));
     EXPECT_TRUE(read("")->empty());
 }
 

@@ -9,12 +9,11 @@
 namespace terratact {
 namespace {
 
-using Verdict = CommandVerdict;
 using Silence = CommandReceiver::Silence;
 
 struct RobotEnd : testing::Test {
-    Verdict send(const Command& command) { return send(command, robot.epoch()); }
-    Verdict send(const Command& command, std::uint8_t epoch)
+    CommandVerdict send(const Command& command) { return send(command, robot.epoch()); }
+    CommandVerdict send(const Command& command, std::uint8_t epoch)
     {
         return robot.receive(frameOf(command, epoch, next++, challenge), now).verdict;
     }
@@ -27,7 +26,7 @@ struct RobotEnd : testing::Test {
     void arm()
     {
         beat(10);
-        ASSERT_EQ(send(ArmCommand{true}), Verdict::Accepted);
+        ASSERT_EQ(send(ArmCommand{true}), CommandVerdict::Accepted);
         ASSERT_TRUE(robot.armed());
         now += 0.1;
         beat(1);  // arming voids the challenge
@@ -45,26 +44,26 @@ struct RobotEnd : testing::Test {
 
 TEST_F(RobotEnd, armsOnlyForAConsoleThatHasBeenAliveForAWhile)
 {
-    EXPECT_EQ(send(ArmCommand{true}), Verdict::NoHeartbeat);
+    EXPECT_EQ(send(ArmCommand{true}), CommandVerdict::NoHeartbeat);
     beat(9);
-    EXPECT_EQ(send(ArmCommand{true}), Verdict::NoHeartbeat);
+    EXPECT_EQ(send(ArmCommand{true}), CommandVerdict::NoHeartbeat);
     now += 0.1;
     beat(1);
-    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::NotArmed);
-    EXPECT_EQ(send(ArmCommand{true}), Verdict::Accepted);
+    EXPECT_EQ(send(DriveCommand{0.1}), CommandVerdict::NotArmed);
+    EXPECT_EQ(send(ArmCommand{true}), CommandVerdict::Accepted);
     EXPECT_TRUE(robot.armed());
 }
 
 TEST_F(RobotEnd, answersValidHeartbeatsWithTheirToken)
 {
     const auto answer = robot.receive(consoleHeartbeat(99, 0), now);
-    EXPECT_EQ(answer.verdict, Verdict::Heartbeat);
+    EXPECT_EQ(answer.verdict, CommandVerdict::Heartbeat);
     EXPECT_EQ(answer.token, 99);
-    EXPECT_EQ(robot.receive(consoleHeartbeat(98, 0), now).verdict, Verdict::Repeated);
-    EXPECT_EQ(robot.receive(consoleHeartbeat(97, 9), now).verdict, Verdict::WrongSequence);
+    EXPECT_EQ(robot.receive(consoleHeartbeat(98, 0), now).verdict, CommandVerdict::Repeated);
+    EXPECT_EQ(robot.receive(consoleHeartbeat(97, 9), now).verdict, CommandVerdict::WrongSequence);
     CanFrame damaged = consoleHeartbeat(97, 10);
     damaged.data[6] ^= 1U;
-    EXPECT_EQ(robot.receive(damaged, now).verdict, Verdict::Malformed);
+    EXPECT_EQ(robot.receive(damaged, now).verdict, CommandVerdict::Malformed);
 }
 
 TEST_F(RobotEnd, beginsANewEpochWheneverItArmsDisarmsOrStops)
@@ -93,23 +92,25 @@ TEST_F(RobotEnd, takesEveryMotionOnceAndInOrder)
 {
     arm();
     const std::uint8_t epoch = robot.epoch();
-    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::Accepted);
-    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::Repeated);
-    EXPECT_EQ(robot.receive(drive(253), now).verdict, Verdict::Accepted);
-    EXPECT_EQ(robot.receive(drive(0), now).verdict, Verdict::Accepted) << "over the counter's end";
-    EXPECT_EQ(robot.receive(drive(4), now).verdict, Verdict::WrongSequence);
-    EXPECT_EQ(robot.receive(drive(250), now).verdict, Verdict::WrongSequence);
-    EXPECT_EQ(robot.receive(drive(251), now).verdict, Verdict::WrongSequence)
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, CommandVerdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, CommandVerdict::Repeated);
+    EXPECT_EQ(robot.receive(drive(253), now).verdict, CommandVerdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(0), now).verdict, CommandVerdict::Accepted)
+        << "over the counter's end";
+    EXPECT_EQ(robot.receive(drive(4), now).verdict, CommandVerdict::WrongSequence);
+    EXPECT_EQ(robot.receive(drive(250), now).verdict, CommandVerdict::WrongSequence);
+    EXPECT_EQ(robot.receive(drive(251), now).verdict, CommandVerdict::WrongSequence)
         << "an old frame set the counter back";
-    EXPECT_EQ(robot.receive(drive(5), now).verdict, Verdict::Accepted);
-    EXPECT_EQ(robot.receive(drive(5 + 128), now).verdict, Verdict::WrongSequence)
+    EXPECT_EQ(robot.receive(drive(5), now).verdict, CommandVerdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(5 + 128), now).verdict, CommandVerdict::WrongSequence)
         << "half a turn ahead is half a turn behind";
-    EXPECT_EQ(robot.receive(drive(6), now).verdict, Verdict::Accepted);
-    EXPECT_EQ(robot.receive(drive(6 + 127), now).verdict, Verdict::WrongSequence)
+    EXPECT_EQ(robot.receive(drive(6), now).verdict, CommandVerdict::Accepted);
+    EXPECT_EQ(robot.receive(drive(6 + 127), now).verdict, CommandVerdict::WrongSequence)
         << "many are missing";
-    EXPECT_EQ(robot.receive(drive(6 + 128), now).verdict, Verdict::Accepted) << "the next one";
+    EXPECT_EQ(robot.receive(drive(6 + 128), now).verdict, CommandVerdict::Accepted)
+        << "the next one";
     EXPECT_EQ(robot.receive(frameOf(ProbeCommand{7}, epoch, 99, challenge), now).verdict,
-              Verdict::Accepted)
+              CommandVerdict::Accepted)
         << "every kind has its own counter";
 }
 
@@ -120,12 +121,12 @@ TEST_F(RobotEnd, needsAChallengeOfAtMostHalfASecond)
     const double since = now;
     EXPECT_NE(given, 0);
     EXPECT_EQ(robot.receive(frameOf(DriveCommand{0.1}, robot.epoch(), 0, 0), now).verdict,
-              Verdict::TooLate)
+              CommandVerdict::TooLate)
         << "none";
     EXPECT_EQ(
         robot.receive(frameOf(DriveCommand{0.1}, robot.epoch(), 0, robot.nextChallenge()), now)
             .verdict,
-        Verdict::TooLate)
+        CommandVerdict::TooLate)
         << "one that was not given out";
     for (int i = 0; i < 4; ++i) {
         now += 0.1;
@@ -134,13 +135,13 @@ TEST_F(RobotEnd, needsAChallengeOfAtMostHalfASecond)
     }
     challenge = given;
     now = since + 0.499;
-    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::Accepted);
+    EXPECT_EQ(send(DriveCommand{0.1}), CommandVerdict::Accepted);
     now = since + 0.501;
-    EXPECT_EQ(send(DriveCommand{0.1}), Verdict::TooLate);
-    EXPECT_EQ(send(ArmCommand{true}), Verdict::TooLate) << "an Arm expires, too";
-    EXPECT_EQ(send(ReleaseStopCommand{}), Verdict::TooLate);
+    EXPECT_EQ(send(DriveCommand{0.1}), CommandVerdict::TooLate);
+    EXPECT_EQ(send(ArmCommand{true}), CommandVerdict::TooLate) << "an Arm expires, too";
+    EXPECT_EQ(send(ReleaseStopCommand{}), CommandVerdict::TooLate);
     challenge = 0;
-    EXPECT_EQ(send(ArmCommand{false}), Verdict::Accepted) << "disarming needs none";
+    EXPECT_EQ(send(ArmCommand{false}), CommandVerdict::Accepted) << "disarming needs none";
 }
 
 TEST_F(RobotEnd, voidsItsChallengesWhereverItHalts)
@@ -150,8 +151,8 @@ TEST_F(RobotEnd, voidsItsChallengesWhereverItHalts)
         const std::uint16_t before = challenge;
         halt();
         challenge = before;
-        const Verdict late = send(DriveCommand{0.1}, robot.epoch());
-        return late != Verdict::Accepted;
+        const CommandVerdict late = send(DriveCommand{0.1}, robot.epoch());
+        return late != CommandVerdict::Accepted;
     };
     EXPECT_TRUE(voids([this] { send(HaltCommand{}); }));
     EXPECT_TRUE(robot.armed()) << "a halt disarms nobody";
@@ -160,7 +161,7 @@ TEST_F(RobotEnd, voidsItsChallengesWhereverItHalts)
     EXPECT_TRUE(voids([this] { send(StopCommand{}); }));
     EXPECT_TRUE(voids([this] { robot.disarm(); }));
     EXPECT_TRUE(voids([this] {
-        ASSERT_EQ(send(DriveCommand{0.1}), Verdict::Accepted);
+        ASSERT_EQ(send(DriveCommand{0.1}), CommandVerdict::Accepted);
         now += 0.2;
         beat(1);
         now += 0.06;
@@ -198,7 +199,7 @@ TEST_F(RobotEnd, acceptsSafeCommandsInAnyEpochAndOrder)
         const CanFrame frame = frameOf(command, 200, 5);
         for (int i = 0; i < 2; ++i) {
             const auto answer = robot.receive(frame, now);
-            EXPECT_EQ(answer.verdict, Verdict::Accepted) << command.index();
+            EXPECT_EQ(answer.verdict, CommandVerdict::Accepted) << command.index();
             ASSERT_TRUE(answer.command);
             EXPECT_EQ(answer.command->index(), command.index());
             EXPECT_EQ(answer.kind, kindOf(command));
@@ -224,8 +225,8 @@ TEST_F(RobotEnd, releasesItsStopOnlyInThisEpoch)
     const std::uint8_t old = robot.epoch();
     send(StopCommand{});
     beat(1);
-    EXPECT_EQ(send(ReleaseStopCommand{}, old), Verdict::WrongEpoch);
-    EXPECT_EQ(send(ReleaseStopCommand{}), Verdict::Accepted);
+    EXPECT_EQ(send(ReleaseStopCommand{}, old), CommandVerdict::WrongEpoch);
+    EXPECT_EQ(send(ReleaseStopCommand{}), CommandVerdict::Accepted);
     EXPECT_FALSE(robot.armed()) << "and does not arm by it";
 }
 
@@ -242,7 +243,7 @@ TEST_F(RobotEnd, refusesEveryFrameOfARecordedSession)
     arm();
     int accepted = 0;
     for (const CanFrame& frame : recorded)
-        accepted += robot.receive(frame, now).verdict != Verdict::WrongEpoch;
+        accepted += robot.receive(frame, now).verdict != CommandVerdict::WrongEpoch;
     EXPECT_EQ(accepted, 0);
 }
 
@@ -275,7 +276,7 @@ TEST_F(RobotEnd, watchdogHaltsAndDisarmsWithoutHeartbeats)
 TEST_F(RobotEnd, deadManHaltsWithoutDriveFrames)
 {
     arm();
-    ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);
+    ASSERT_EQ(send(DriveCommand{0.2}), CommandVerdict::Accepted);
     const double sent = now;
     now += 0.1;
     beat(2);
@@ -283,24 +284,24 @@ TEST_F(RobotEnd, deadManHaltsWithoutDriveFrames)
     EXPECT_EQ(robot.tick(sent + 0.251), Silence::OfDrive);
     EXPECT_EQ(robot.tick(sent + 0.252), Silence::None);
     EXPECT_TRUE(robot.armed());
-    EXPECT_EQ(send(DriveCommand{0.2}), Verdict::TooLate) << "it was sent before the end";
+    EXPECT_EQ(send(DriveCommand{0.2}), CommandVerdict::TooLate) << "it was sent before the end";
     beat(2);
-    ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);
-    ASSERT_EQ(send(HaltCommand{}), Verdict::Accepted);
+    ASSERT_EQ(send(DriveCommand{0.2}), CommandVerdict::Accepted);
+    ASSERT_EQ(send(HaltCommand{}), CommandVerdict::Accepted);
     beat(5);
     EXPECT_EQ(robot.tick(now), Silence::None) << "a halt ends the drive";
 }
 
 TEST_F(RobotEnd, recognisesFramesThatAreNoCommands)
 {
-    EXPECT_EQ(robot.receive({.id = 0x123, .length = 8}, now).verdict, Verdict::NotACommand);
-    EXPECT_EQ(robot.receive(frameOf(RobotStatus{}, 0), now).verdict, Verdict::NotACommand);
+    EXPECT_EQ(robot.receive({.id = 0x123, .length = 8}, now).verdict, CommandVerdict::NotACommand);
+    EXPECT_EQ(robot.receive(frameOf(RobotStatus{}, 0), now).verdict, CommandVerdict::NotACommand);
     CanFrame frame = frameOf(HaltCommand{}, 0, 0);
     frame.extended = true;
-    EXPECT_EQ(robot.receive(frame, now).verdict, Verdict::NotACommand);
+    EXPECT_EQ(robot.receive(frame, now).verdict, CommandVerdict::NotACommand);
     frame.extended = false;
     frame.length = 7;
-    EXPECT_EQ(robot.receive(frame, now).verdict, Verdict::Malformed);
+    EXPECT_EQ(robot.receive(frame, now).verdict, CommandVerdict::Malformed);
     EXPECT_THROW(robot.receive(consoleHeartbeat(1, 1), std::nan("")), std::invalid_argument);
 }
 

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-Measurement measured()
+Measurement everythingMeasured()
 {
     return {.time = 12.5,
             .pitch = 0.21,
@@ -58,7 +58,7 @@ struct Wire : testing::Test {
 
 TEST_F(Wire, carriesEachSideOfAnElement)
 {
-    Measurement sent = measured();
+    Measurement sent = everythingMeasured();
     for (std::size_t e = 0; e < kForceElements; ++e) {
         sent.sides.left[e] = 2.0 + static_cast<double>(e);
         sent.sides.right[e] = 8.0 - static_cast<double>(e);
@@ -81,7 +81,7 @@ TEST_F(Wire, carriesRearArraysAndTheDifferential)
     RobotModel whole = robot;
     whole.rearElementShare = whole.elementShare;
     whole.differential.locked = false;
-    Measurement sent = measured();
+    Measurement sent = everythingMeasured();
     sent.differential = -0.25;
     for (std::size_t e = 0; e < kForceElements; ++e) {
         sent.rearSides.left[e] = 1.0 + static_cast<double>(e);
@@ -108,7 +108,7 @@ TEST_F(Wire, carriesRearArraysAndTheDifferential)
 
 TEST_F(Wire, carriesAWholeMeasurement)
 {
-    const Measurement sent = measured();
+    const Measurement sent = everythingMeasured();
     const auto got = overTheWire(sent);
     ASSERT_TRUE(got);
     EXPECT_EQ(got->time, sent.time);
@@ -137,19 +137,19 @@ TEST_F(Wire, skipsElementsThatTheRobotLacks)
 {
     RobotModel one = absolem();
     one.forceArrays.pop_back();  // the right one
-    const SensorLine line = *overTheWire(sensorLineOf(measured(), one));
+    const SensorLine line = *overTheWire(sensorLineOf(everythingMeasured(), one));
     EXPECT_EQ((*line.voltages[2])[0], 0.0) << "nothing is wired there";
     const ElementForces forces = elementForces(line, one);
     EXPECT_TRUE(forces.left[4]);
     EXPECT_FALSE(forces.right[4]) << "no broken wire of an element that does not exist";
-    const auto got = measurementOf(line, forces, statusOf(measured()), 0.0);
+    const auto got = measurementOf(line, forces, statusOf(everythingMeasured()), 0.0);
     ASSERT_TRUE(got);
     EXPECT_NEAR(got->force[4], 12.0, 0.05) << "of the left array alone";
 }
 
 TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
 {
-    Measurement m = measured();
+    Measurement m = everythingMeasured();
     double worst = 0.0;
     for (double force = 0.0; force <= 19.7; force += 0.01) {
         m.force.fill(force);
@@ -163,7 +163,7 @@ TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
 
 TEST_F(Wire, sendsAWayBeyondItsSignalAsNotMeasured)
 {
-    Measurement m = measured();
+    Measurement m = everythingMeasured();
     m.turned = 7.0;
     EXPECT_NEAR(overTheWire(m)->turned.value(), 7.0 - 2.0 * std::numbers::pi, 1.01e-4);
     for (const double way : {8388.7, -8388.7}) {
@@ -177,7 +177,7 @@ TEST_F(Wire, sendsAWayBeyondItsSignalAsNotMeasured)
 
 TEST_F(Wire, clampsValuesBeyondTheirSignal)
 {
-    Measurement m = measured();
+    Measurement m = everythingMeasured();
     m.frontLeft = 3.0 * std::numbers::pi;
     m.rearRight = -1.0 - 2.0 * std::numbers::pi;
     m.frontLeftCurrent = 99.0;
@@ -198,9 +198,9 @@ TEST_F(Wire, clampsValuesBeyondTheirSignal)
 
 TEST_F(Wire, makesNoMeasurementWithoutAPose)
 {
-    const SensorLine whole = sensorLineOf(measured(), robot);
+    const SensorLine whole = sensorLineOf(everythingMeasured(), robot);
     const auto has = [&](const SensorLine& line) {
-        return measurementOf(line, elementForces(line, robot), statusOf(measured()), 0.0)
+        return measurementOf(line, elementForces(line, robot), statusOf(everythingMeasured()), 0.0)
             .has_value();
     };
     ASSERT_TRUE(has(whole));
@@ -217,7 +217,7 @@ TEST_F(Wire, makesNoMeasurementWithoutAPose)
 
 TEST_F(Wire, namesMissingCurrentsAndForces)
 {
-    SensorLine line = sensorLineOf(measured(), robot);
+    SensorLine line = sensorLineOf(everythingMeasured(), robot);
     line.rearCurrents.reset();
     line.voltages[1].reset();  // elements 4 to 6 of both arrays
     line.voltages[3].reset();
@@ -232,7 +232,7 @@ TEST_F(Wire, namesMissingCurrentsAndForces)
 
 TEST_F(Wire, usesTheOtherSideOfABrokenElement)
 {
-    SensorLine line = sensorLineOf(measured(), robot);
+    SensorLine line = sensorLineOf(everythingMeasured(), robot);
     (*line.voltages[0])[1] = 0.0;  // left element 2: wire broken
     (*line.voltages[3])[2] = 5.0;  // right element 6: short
     const ElementForces elements = elementForces(line, robot);
@@ -251,7 +251,7 @@ TEST_F(Wire, usesTheOtherSideOfABrokenElement)
 
 TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
 {
-    Measurement m = measured();
+    Measurement m = everythingMeasured();
     m.force.fill(4.0);
     SensorLine line = sensorLineOf(m, robot);
     m.force.fill(2.0);

@@ -4,16 +4,10 @@
 
 #include "core/infer/estimate/estimate.h"
 #include "core/terrain/body_ceiling.h"
+#include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
-
-const RobotModel& absolem()
-{
-    static const RobotModel robot =
-        *readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");
-    return robot;
-}
 
 /// Level robot, flippers flat: the elements lie at +0.30, 0.35, 0.41, 0.46, 0.51 and 0.56 m.
 PressedBins pressedBy(std::array<std::optional<double>, kForceElements> force)

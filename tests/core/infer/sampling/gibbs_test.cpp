@@ -16,12 +16,11 @@
 #include <vector>
 
 #include "tests/support/distributions.h"
+#include "tests/support/infinity.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const BinModels& models()
 {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "tests/support/distributions.h"
+#include "tests/support/infinity.h"
 
 namespace terratact {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kMin = std::numeric_limits<double>::denorm_min();

@@ -85,11 +85,11 @@ TEST(StepProbability, refusesInvalidArguments)
 TEST(StepProbabilities, matchTheGaussianClosedForm)
 {
     // h_{i+1} − h_i ~ N(0.02, 2 · 0.05²) for independent bins on a slope of 0.02 m per bin.
-    constexpr int kDraws = 40000;
+    constexpr int kManyDraws = 40000;
     constexpr double kLimit = 0.1, kSd = 0.05, kRise = 0.02;
     std::mt19937_64 rng(20150205);
     std::normal_distribution<double> normal(0.0, kSd);
-    std::vector<Heights> draws(kDraws);
+    std::vector<Heights> draws(kManyDraws);
     for (Heights& h : draws)
         for (std::size_t i = 0; i < kBins; ++i) h[i] = kRise * static_cast<double>(i) + normal(rng);
     const auto above = [&](double x) { return 0.5 * std::erfc(x / (kSd * std::numbers::sqrt2)); };
@@ -98,7 +98,7 @@ TEST(StepProbabilities, matchTheGaussianClosedForm)
 
     const auto found = stepProbabilities(estimateOf(draws), kLimit);
     for (const StepProbability& step : found) {
-        EXPECT_NEAR(step.monteCarloSd, std::sqrt(expected * (1.0 - expected) / kDraws), 2e-5);
+        EXPECT_NEAR(step.monteCarloSd, std::sqrt(expected * (1.0 - expected) / kManyDraws), 2e-5);
         EXPECT_NEAR(step.p, expected, 4.5 * step.monteCarloSd);
     }
 }

@@ -20,12 +20,10 @@
 namespace terratact {
 namespace {
 
-using Data = ExtremeData;
-
 /// The textbook formulas with 64 bits of mantissa, using the model's jitter.
 class Reference {
 public:
-    Reference(const Data& data, double jitter)
+    Reference(const ExtremeData& data, double jitter)
         : data_(data), prior_(squareOf(data.hyper.signalSd) + squareOf(data.hyper.noiseSd))
     {
         LongMatrix K = covarianceOf(data.X, data.X, data.hyper);
@@ -42,7 +40,7 @@ public:
     }
 
 private:
-    const Data& data_;
+    const ExtremeData& data_;
     Long prior_;
     Eigen::LLT<LongMatrix> factor_;
     LongVector alpha_;
@@ -52,7 +50,7 @@ private:
 /// and V = L⁻¹ K_mn it is A = L (1 + V Λ⁻¹ Vᵀ) Lᵀ.
 class SparseReference {
 public:
-    SparseReference(const Data& data, int count, double jitter)
+    SparseReference(const ExtremeData& data, int count, double jitter)
         : data_(data),
           Z_(data.X(sparseProcess(data.X, data.y, count, data.hyper).inducing, Eigen::all)),
           prior_(squareOf(data.hyper.signalSd) + squareOf(data.hyper.noiseSd)),
@@ -78,7 +76,7 @@ public:
     }
 
 private:
-    const Data& data_;
+    const ExtremeData& data_;
     Eigen::MatrixXd Z_;
     Long prior_;
     Eigen::LLT<LongMatrix> outer_, inner_;
@@ -122,7 +120,7 @@ void expectRightInSingle(const GaussianProcess& gp, const Eigen::VectorXd& x, do
 }
 
 template <class SomeReference>
-void expectRight(const Data& data, const GaussianProcess& gp, const SomeReference& reference,
+void expectRight(const ExtremeData& data, const GaussianProcess& gp, const SomeReference& reference,
                  const std::string& what)
 {
     EXPECT_LE(gp.errorBound(), 1.0001e-2) << what;
@@ -149,7 +147,7 @@ void expectRight(const Data& data, const GaussianProcess& gp, const SomeReferenc
     }
 }
 
-std::unique_ptr<GaussianProcess> builtThrough(int inducing, const Data& data)
+std::unique_ptr<GaussianProcess> builtThrough(int inducing, const ExtremeData& data)
 {
     try {
         return GaussianProcess::sparse(data.X, data.y, inducing, data.hyper, 0.0);
@@ -159,7 +157,7 @@ std::unique_ptr<GaussianProcess> builtThrough(int inducing, const Data& data)
     }
 }
 
-std::unique_ptr<GaussianProcess> built(const Data& data)
+std::unique_ptr<GaussianProcess> built(const ExtremeData& data)
 {
     return builtThrough(static_cast<int>(data.X.rows()), data);
 }
@@ -170,7 +168,7 @@ struct Tally {
 
     /// Checks one process that must equal long double.
     template <class SomeReference>
-    void add(const Data& data, const GaussianProcess& gp, const SomeReference& reference,
+    void add(const ExtremeData& data, const GaussianProcess& gp, const SomeReference& reference,
              const std::string& what)
     {
         ++answered;
@@ -204,7 +202,7 @@ TEST_P(Extremes, equalLongDoubleOrAreRefused)
     Tally tally;
     worstShare = 0.0;
     for (const int U : {1, 2, 40})
-        forEveryScale(GetParam(), U, [&tally](const Data& data, const std::string& what) {
+        forEveryScale(GetParam(), U, [&tally](const ExtremeData& data, const std::string& what) {
             if (const auto gp = built(data))
                 tally.add(data, *gp, Reference(data, gp->jitter()), what);
             else
@@ -220,12 +218,13 @@ TEST_P(Extremes, throughFewRowsEqualLongDoubleOrAreRefused)
     worstShare = 0.0;
     for (const int U : {2, 40}) {
         const int few = U < 40 ? 1 : 12;
-        forEveryScale(GetParam(), U, [&tally, few](const Data& data, const std::string& what) {
-            if (const auto gp = builtThrough(few, data))
-                tally.add(data, *gp, SparseReference(data, few, gp->jitter()), what);
-            else
-                ++tally.refused;
-        });
+        forEveryScale(GetParam(), U,
+                      [&tally, few](const ExtremeData& data, const std::string& what) {
+                          if (const auto gp = builtThrough(few, data))
+                              tally.add(data, *gp, SparseReference(data, few, gp->jitter()), what);
+                          else
+                              ++tally.refused;
+                      });
     }
     tally.judge();
 }
@@ -238,7 +237,7 @@ TEST_P(Extremes, equalLongDoubleWithOneScalePerInput)
           Eigen::Vector3d(1e8, 1e-8, 1.0), Eigen::Vector3d(1e8, 1e8, 1e-3)})
         for (const double signal : {1e-12, 0.3, 1e6})
             for (const double noise : {0.0, 1e-3}) {
-                Data data = dataOf(GetParam(), 40, 1.0, signal, noise);
+                ExtremeData data = dataOf(GetParam(), 40, 1.0, signal, noise);
                 data.hyper.lengthScale = lengths;
                 std::ostringstream what;
                 what << "lengths " << lengths.transpose() << ", sf " << signal << ", sn " << noise;
@@ -273,7 +272,7 @@ TEST(GaussianProcess, withoutAnyScaleIsRefused)
 TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
 {
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-        Data data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
+        ExtremeData data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
         data.X(7, 1) = bad;
         EXPECT_FALSE(built(data));
         EXPECT_FALSE(builtThrough(5, data));
@@ -298,7 +297,7 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
 /// of a length scale.
 TEST(GaussianProcess, isRightForRowsTinyLengthScalesApart)
 {
-    Data data = dataOf(Kind::Plain, 40, 1e-8, 0.3, 0.1);
+    ExtremeData data = dataOf(Kind::Plain, 40, 1e-8, 0.3, 0.1);
     data.X = (1.0 + 1e-8 * data.X.array()).matrix();
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
     EXPECT_EQ(gp.errorBound(), 1e-9);
@@ -322,7 +321,7 @@ TEST(GaussianProcess, keepsItsBoundForRoughOutputs)
     double worst = 0.0;
     for (const double noise : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
         for (const double length : {0.05, 0.3, 2.0}) {
-            Data data = dataOf(Kind::Plain, 60, length, 1.0, noise);
+            ExtremeData data = dataOf(Kind::Plain, 60, length, 1.0, noise);
             for (Eigen::Index u = 0; u < 60; ++u) {
                 data.X.row(u) << 0.02 * static_cast<double>(u), 0.0, 0.0;
                 data.y[u] = u % 2 == 0 ? 1.0 : -1.0;
@@ -341,8 +340,8 @@ TEST(GaussianProcess, keepsItsBoundForRoughOutputs)
 
 TEST(GaussianProcess, rowAt1e200ChangesNothingElsewhere)
 {
-    const Data plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
-    const Data far = withFarRow(plain);
+    const ExtremeData plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
+    const ExtremeData far = withFarRow(plain);
     for (const int rows : {12, 20}) {  // the distant row is one more
         const Normal expected = builtThrough(rows, plain)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
         const Normal got = builtThrough(rows + 1, far)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
@@ -354,7 +353,7 @@ TEST(GaussianProcess, rowAt1e200ChangesNothingElsewhere)
 TEST(GaussianProcess, withHugeOutputsScalesThemOrRefuses)
 {
     const Eigen::Vector3d x(0.1, 0.2, 0.3);
-    Data data;
+    ExtremeData data;
     for (const int rows : {5, 20}) {
         data = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
         const double expected = builtThrough(rows, data)->predict(x).mean;
@@ -368,14 +367,14 @@ TEST(GaussianProcess, withHugeOutputsScalesThemOrRefuses)
 
 TEST(Likelihood, refusesRepeatedRowsWithoutNoise)
 {
-    const Data data = dataOf(Kind::DoubledRows, 40, 1.0, 0.3, 1e-12);
+    const ExtremeData data = dataOf(Kind::DoubledRows, 40, 1.0, 0.3, 1e-12);
     EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper), std::invalid_argument);
 }
 
 TEST(GaussianProcess, isBuiltOnlyIfEveryPollReturns)
 {
     struct Stop {};
-    const Data data = dataOf(Kind::Plain, 200, 1.0, 0.3, 0.1);
+    const ExtremeData data = dataOf(Kind::Plain, 200, 1.0, 0.3, 0.1);
     int polls = 0;
     const GaussianProcess whole(data.X, data.y, data.hyper, 0.0, [&] { ++polls; });
     EXPECT_GT(polls, 10);
@@ -408,7 +407,7 @@ void print(const GaussianProcess& gp, int U)
 TEST_P(Sizes, ofAModelEqualLongDouble)
 {
     const int U = manyRows(GetParam().rows);
-    const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
+    const ExtremeData data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
     const auto gp = built(data);
     ASSERT_TRUE(gp);
     worstShare = 0.0;
@@ -420,7 +419,7 @@ TEST_P(Sizes, throughTheRowsOfAPresetEqualLongDouble)
 {
     const int few = withPreset({}, QualityPreset::Fast).inducing;
     const int U = std::max(manyRows(GetParam().rows), 1400);
-    const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
+    const ExtremeData data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
     const auto gp = builtThrough(few, data);
     ASSERT_TRUE(gp);
     worstShare = 0.0;

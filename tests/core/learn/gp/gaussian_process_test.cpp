@@ -10,48 +10,13 @@
 #include <vector>
 
 #include "core/learn/gp/scene_conditional.h"
+#include "tests/support/process_data.h"
 
 namespace terratact {
 namespace {
 
-struct Data {
-    Eigen::MatrixXd X;
-    Eigen::VectorXd y;
-    Hyperparameters hyper;
-};
-
-Data someData(int U, int d, unsigned seed = 1)
-{
-    std::mt19937_64 rng(seed);
-    std::normal_distribution<double> normal;
-    Data data{Eigen::MatrixXd(U, d), Eigen::VectorXd(U), {}};
-    for (double& x : data.X.reshaped()) x = normal(rng);
-    for (int u = 0; u < U; ++u) data.y[u] = std::sin(data.X(u, 0)) + 0.1 * normal(rng);
-    data.hyper.lengthScale = Eigen::VectorXd::LinSpaced(d, 0.7, 2.5);
-    data.hyper.signalSd = 0.9;
-    data.hyper.noiseSd = 0.15;
-    return data;
-}
-
-double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
-{
-    return h.signalSd * h.signalSd
-         * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
-}
-
-Eigen::MatrixXd covariance(const Data& data)
-{
-    const Eigen::Index U = data.X.rows();
-    Eigen::MatrixXd K(U, U);
-    for (Eigen::Index i = 0; i < U; ++i)
-        for (Eigen::Index j = 0; j < U; ++j)
-            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper)
-                    + (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
-    return K;
-}
-
 /// Returns the textbook prediction by a dense solve.
-Normal reference(const Data& data, const Eigen::VectorXd& x)
+Normal reference(const ProcessData& data, const Eigen::VectorXd& x)
 {
     const Eigen::LDLT<Eigen::MatrixXd> K(covariance(data));
     Eigen::VectorXd k(data.X.rows());
@@ -63,7 +28,7 @@ Normal reference(const Data& data, const Eigen::VectorXd& x)
 TEST(GaussianProcess, predictsAsTheTextbookFormula)
 {
     for (const int U : {1, 2, 7, 8, 9, 65, 130}) {
-        const Data data = someData(U, 3);
+        const ProcessData data = someData(U, 3);
         const GaussianProcess gp(data.X, data.y, data.hyper, 0.25);
         for (const double at : {-1.0, 0.0, 0.4, 9.0}) {
             const Eigen::Vector3d x(at, 0.3, -at);
@@ -77,7 +42,7 @@ TEST(GaussianProcess, predictsAsTheTextbookFormula)
 
 TEST(GaussianProcess, farFromAllDataReturnsThePrior)
 {
-    const Data data = someData(20, 2);
+    const ProcessData data = someData(20, 2);
     const Normal far =
         GaussianProcess(data.X, data.y, data.hyper, -0.3).predict(Eigen::Vector2d(1e6, -1e6));
     EXPECT_DOUBLE_EQ(far.mean, -0.3);
@@ -86,7 +51,7 @@ TEST(GaussianProcess, farFromAllDataReturnsThePrior)
 
 TEST(GaussianProcess, varianceNeverFallsBelowTheNoise)
 {
-    Data data = someData(60, 2);
+    ProcessData data = someData(60, 2);
     data.hyper.lengthScale.setConstant(0.2);
     data.hyper.noiseSd = 0.0;
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
@@ -99,7 +64,7 @@ TEST(GaussianProcess, varianceNeverFallsBelowTheNoise)
 
 TEST(SceneConditional, predictsLikeTheWholeInput)
 {
-    const Data data = someData(77, 6);
+    const ProcessData data = someData(77, 6);
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
     std::mt19937_64 rng(4);
     std::normal_distribution<double> normal;
@@ -126,9 +91,9 @@ TEST(SceneConditional, predictsLikeTheWholeInput)
 
 TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
 {
-    const Data large = someData(120, 6);
-    Data small = someData(50, 6, 2);  // uses the buffers that the large one has filled
-    Data smooth = someData(200, 6, 3);
+    const ProcessData large = someData(120, 6);
+    ProcessData small = someData(50, 6, 2);  // uses the buffers that the large one has filled
+    ProcessData smooth = someData(200, 6, 3);
     small.hyper.lengthScale /= 4.0;
     smooth.hyper.lengthScale *= 8.0;
     const GaussianProcess a(large.X, large.y, large.hyper, 0.1);
@@ -189,7 +154,7 @@ struct BothPrecisions {
 
 TEST(SceneConditional, singlePrecisionKeepsMeanAndNearlyTheVariance)
 {
-    const Data data = someData(300, 4);
+    const ProcessData data = someData(300, 4);
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
     ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
     EXPECT_EQ(gp.usable(Precision::Double), Precision::Double);
@@ -204,7 +169,7 @@ TEST(SceneConditional, singlePrecisionKeepsMeanAndNearlyTheVariance)
 
 TEST(SceneConditional, fewerRowsKeepMeanAndNearlyTheVariance)
 {
-    Data data = someData(400, 4);
+    ProcessData data = someData(400, 4);
     data.hyper.lengthScale *= 2.0;
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
     ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
@@ -230,7 +195,8 @@ TEST(SceneConditional, usesAllRowsIfAReductionIsInaccurate)
 
 TEST(SceneConditional, usesDoubleIfSinglePrecisionIsInaccurate)
 {
-    Data data = someData(300, 2);  // dense in two dimensions: |L⁻¹k|² is σ_f² but for a millionth
+    ProcessData data =
+        someData(300, 2);  // dense in two dimensions: |L⁻¹k|² is σ_f² but for a millionth
     data.hyper.noiseSd = 1e-4;
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
     EXPECT_EQ(gp.usable(Precision::Single), Precision::Double);
@@ -246,10 +212,10 @@ TEST(SceneConditional, usesDoubleIfSinglePrecisionIsInaccurate)
 
 TEST(GaussianProcess, refusesWhatItCannotAnswer)
 {
-    const Data good = someData(10, 2);
-    const auto build = [](const Data& d) { return GaussianProcess(d.X, d.y, d.hyper, 0.0); };
+    const ProcessData good = someData(10, 2);
+    const auto build = [](const ProcessData& d) { return GaussianProcess(d.X, d.y, d.hyper, 0.0); };
     EXPECT_NO_THROW(build(good));
-    Data bad = good;
+    ProcessData bad = good;
     bad.X(3, 1) = std::nan("");
     EXPECT_THROW(build(bad), std::invalid_argument);
     bad = good;
@@ -265,7 +231,7 @@ TEST(GaussianProcess, refusesWhatItCannotAnswer)
 
 TEST(GaussianProcess, tinyLengthScalesReturnTheNoisyData)
 {
-    Data data = someData(30, 2);
+    ProcessData data = someData(30, 2);
     data.hyper.lengthScale.setConstant(1e-8);
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
     const Normal at = gp.predict(data.X.row(5).transpose());
@@ -276,7 +242,7 @@ TEST(GaussianProcess, tinyLengthScalesReturnTheNoisyData)
 
 TEST(GaussianProcess, aNoisyRowFollowsTheOthers)
 {
-    Data data = someData(40, 2);
+    ProcessData data = someData(40, 2);
     const Eigen::VectorXd x = data.X.row(7).transpose();
     const GaussianProcess clean(data.X, data.y, data.hyper, 0.0);
     data.y[7] += 3.0;
@@ -296,7 +262,7 @@ TEST(GaussianProcess, aNoisyRowFollowsTheOthers)
 
 TEST(GaussianProcess, addsRowVarianceToTheDiagonal)
 {
-    const Data data = someData(30, 2);
+    const ProcessData data = someData(30, 2);
     const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(30, 0.0, 0.5);
     Eigen::MatrixXd K = covariance(data);
     K.diagonal() += variance;

@@ -13,50 +13,15 @@
 
 #include "core/learn/gp/gaussian_process.h"
 #include "tests/support/extreme_data.h"
+#include "tests/support/process_data.h"
 
 namespace terratact {
 namespace {
 
-struct Data {
-    Eigen::MatrixXd X;
-    Eigen::VectorXd y;
-    Hyperparameters hyper;
-};
-
-Data someData(int U, int d, unsigned seed = 1)
-{
-    std::mt19937_64 rng(seed);
-    std::normal_distribution<double> normal;
-    Data data{Eigen::MatrixXd(U, d), Eigen::VectorXd(U), {}};
-    for (double& x : data.X.reshaped()) x = normal(rng);
-    for (int u = 0; u < U; ++u) data.y[u] = std::sin(data.X(u, 0)) + 0.1 * normal(rng);
-    data.hyper.lengthScale = Eigen::VectorXd::LinSpaced(d, 0.7, 2.5);
-    data.hyper.signalSd = 0.9;
-    data.hyper.noiseSd = 0.15;
-    return data;
-}
-
-double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
-{
-    return h.signalSd * h.signalSd
-         * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
-}
-
-Eigen::MatrixXd covariance(const Data& data)
-{
-    const Eigen::Index U = data.X.rows();
-    Eigen::MatrixXd K(U, U);
-    for (Eigen::Index i = 0; i < U; ++i)
-        for (Eigen::Index j = 0; j < U; ++j)
-            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper)
-                    + (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
-    return K;
-}
-
 TEST(Likelihood, isTheLogDensityOfTheOutputs)
 {
     for (const int U : {1, 40, 97, 230}) {
-        const Data data = someData(U, 3);
+        const ProcessData data = someData(U, 3);
         const Eigen::MatrixXd K = covariance(data);
         const Eigen::LLT<Eigen::MatrixXd> llt(K);
         const Eigen::MatrixXd L = llt.matrixL();
@@ -71,7 +36,7 @@ TEST(Likelihood, isTheLogDensityOfTheOutputs)
 
 TEST(Likelihood, gradientIsTheSlopeOfTheValue)
 {
-    const Data data = someData(210, 4);  // three panels
+    const ProcessData data = someData(210, 4);  // three panels
     const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
     ASSERT_EQ(at.gradient.size(), 6);
     constexpr double h = 1e-5;
@@ -89,13 +54,13 @@ TEST(Likelihood, gradientIsTheSlopeOfTheValue)
 
 TEST(Likelihood, gradientKeepsItsDigitsWhereLengthScalesAreLong)
 {
-    Data data = someData(110, 2);  // more than one panel
+    ProcessData data = someData(110, 2);  // more than one panel
     data.hyper.lengthScale << 1e7, 0.8;
     const Likelihood at = negativeLogLikelihood(data.X, data.y, data.hyper);
     // ∂/∂log ℓ = ½ Σ G_ij (x_i − x_j)² / ℓ²: all of it tiny.
     EXPECT_GT(std::abs(at.gradient[0]), 0.0);
     EXPECT_LT(std::abs(at.gradient[0]), 1e-6);
-    Data ten = data;
+    ProcessData ten = data;
     ten.hyper.lengthScale[0] = 1e6;
     const double larger = negativeLogLikelihood(ten.X, ten.y, ten.hyper).gradient[0];
     EXPECT_NEAR(larger / at.gradient[0], 100.0, 1e-6);
@@ -103,7 +68,7 @@ TEST(Likelihood, gradientKeepsItsDigitsWhereLengthScalesAreLong)
 
 TEST(Likelihood, tinyLengthScalesGiveIndependentOutputs)
 {
-    Data data = someData(30, 2);
+    ProcessData data = someData(30, 2);
     data.hyper.lengthScale.setConstant(1e-8);
     const double variance = 0.81 + 0.0225;
     const Likelihood l = negativeLogLikelihood(data.X, data.y, data.hyper);
@@ -113,23 +78,24 @@ TEST(Likelihood, tinyLengthScalesGiveIndependentOutputs)
 
 TEST(Likelihood, refusesWhatHasNone)
 {
-    Data data = someData(20, 2);
+    ProcessData data = someData(20, 2);
     EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y.head(19), data.hyper),
                  std::invalid_argument);
-    Data doubled = data;
+    ProcessData doubled = data;
     doubled.X.row(1) = doubled.X.row(0);
     doubled.hyper.noiseSd = 0.0;
     EXPECT_THROW((void)negativeLogLikelihood(doubled.X, doubled.y, doubled.hyper),
                  std::invalid_argument);
-    Data alike = someData(5, 2);  // the rows hardly differ: the last squared pivots are 3e-15
+    ProcessData alike =
+        someData(5, 2);  // the rows hardly differ: the last squared pivots are 3e-15
     alike.hyper.lengthScale.setConstant(1e9);
     alike.hyper.signalSd = 1.0;
     alike.hyper.noiseSd = 5e-8;
     EXPECT_THROW((void)negativeLogLikelihood(alike.X, alike.y, alike.hyper), std::invalid_argument);
-    Data large = data;
+    ProcessData large = data;
     large.y.setConstant(1e200);
     EXPECT_THROW((void)negativeLogLikelihood(large.X, large.y, large.hyper), std::invalid_argument);
-    Data far = data;
+    ProcessData far = data;
     far.X(3, 0) = 1e200;
     far.hyper.lengthScale[0] = 1e-200;
     EXPECT_THROW((void)negativeLogLikelihood(far.X, far.y, far.hyper), std::invalid_argument);
@@ -222,7 +188,7 @@ long status(const std::string& key)
 
 TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
 {
-    const Data data = someData(1200, 22);
+    const ProcessData data = someData(1200, 22);
     (void)negativeLogLikelihood(data.X.topRows(100), data.y.head(100), data.hyper);
     if (!(std::ofstream("/proc/self/clear_refs") << "5" << std::flush))
         GTEST_SKIP() << "the kernel does not reset a process's largest size";
@@ -236,7 +202,7 @@ TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
 TEST(Likelihood, pollsOftenAndRethrows)
 {
     struct Stop {};
-    const Data data = someData(400, 3);
+    const ProcessData data = someData(400, 3);
     int polls = 0;
     (void)negativeLogLikelihood(data.X, data.y, data.hyper, [&] { ++polls; });
     EXPECT_GT(polls, 50);
@@ -252,7 +218,7 @@ TEST(Likelihood, pollsOftenAndRethrows)
 
 TEST(Likelihood, countsTheVarianceOfEachRow)
 {
-    const Data data = someData(40, 3);
+    const ProcessData data = someData(40, 3);
     const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(40, 0.0, 0.3);
     Eigen::MatrixXd K = covariance(data);
     K.diagonal() += variance;

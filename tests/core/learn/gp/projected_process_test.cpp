@@ -17,13 +17,13 @@
 namespace terratact {
 namespace {
 
-struct Data {
+struct ProjectedData {
     Eigen::MatrixXd X{60, 2};
     Eigen::VectorXd y{60};
     Hyperparameters hyper{Eigen::Vector2d(0.8, 1.5), 1.2, 0.2};
     std::vector<int> all = std::vector<int>(60);
 
-    Data()
+    ProjectedData()
     {
         std::mt19937_64 rng(1);
         std::normal_distribution<double> normal;
@@ -48,7 +48,7 @@ struct Data {
 
 TEST(ProjectedProcess, isTheExactProcessWhereAllRowsInduce)
 {
-    const Data data;
+    const ProjectedData data;
     const ProjectedProcess p = projectProcess(data.X, data.y, data.all, data.hyper);
     const GaussianProcess exact(data.X, data.y, data.hyper, 0.0);
     for (const double at : {-1.0, 0.0, 0.7}) {
@@ -59,7 +59,7 @@ TEST(ProjectedProcess, isTheExactProcessWhereAllRowsInduce)
 
 TEST(ProjectedProcess, leavesOneOut)
 {
-    const Data data;
+    const ProjectedData data;
     const ProjectedProcess p = projectProcess(data.X, data.y, data.all, data.hyper);
     for (const int u : {0, 17, 59}) {
         std::vector<int> others = data.all;
@@ -72,7 +72,7 @@ TEST(ProjectedProcess, leavesOneOut)
 
 TEST(ProjectedProcess, leavesOutAllRowsOfAPlace)
 {
-    const Data data;
+    const ProjectedData data;
     std::vector<int> places = data.all;
     for (const int u : {17, 18, 19, 59}) places[static_cast<std::size_t>(u)] = 17;
     const ProjectedProcess p = projectProcess(data.X, data.y, data.all, data.hyper, {}, places);
@@ -91,7 +91,7 @@ TEST(ProjectedProcess, leavesOutAllRowsOfAPlace)
 
 TEST(ProjectedProcess, predictsWellThroughFewRows)
 {
-    const Data data;
+    const ProjectedData data;
     std::vector<int> some;
     for (int u = 0; u < 60; u += 2) some.push_back(u);
     const ProjectedProcess p = projectProcess(data.X, data.y, some, data.hyper);
@@ -106,8 +106,8 @@ TEST(ProjectedProcess, predictsWellThroughFewRows)
 
 TEST(ProjectedProcess, repeatedRowsEqualTheirMeanWithHalfTheNoise)
 {
-    Data once;
-    Data twice;
+    ProjectedData once;
+    ProjectedData twice;
     once.y[5] += 0.3;
     twice.X.conservativeResize(120, Eigen::NoChange);
     twice.X.bottomRows(60) = once.X;
@@ -161,7 +161,7 @@ double meanAt(const ExtremeData& data, const std::vector<int>& inducing, const P
 }
 
 /// Results of all projections at the extremes.
-struct Tally {
+struct ProjectionTally {
     int right = 0, exact = 0, refused = 0;
     double worst = 0.0;
 
@@ -205,7 +205,7 @@ std::vector<int> everyRow(Eigen::Index rows, int step)
 
 TEST(ProjectedProcess, atTheExtremesIsRightOrRefused)
 {
-    Tally tally;
+    ProjectionTally tally;
     for (const Kind kind : kKinds)
         for (const int U : {1, 2, 40})
             for (const int step : {1, 3})
@@ -229,7 +229,7 @@ TEST(ProjectedProcess, atTheExtremesIsRightOrRefused)
 TEST(ProjectedProcess, ofAModelsSizeIsRight)
 {
     const int rows = manyRows(1400);
-    Tally tally;
+    ProjectionTally tally;
     for (const Kind kind : {Kind::Plain, Kind::Collinear, Kind::ConstantColumn})
         tally.add(dataOf(kind, rows, 1.0, 0.3, 0.05), everyRow(rows, 8), "many rows");
     EXPECT_EQ(tally.right, 3);
@@ -252,7 +252,7 @@ TEST(ProjectedProcess, rowAt1e200ChangesNothingElsewhere)
 
 TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
 {
-    Data data;
+    ProjectedData data;
     EXPECT_THROW((void)projectProcess(data.X, data.y, {}, data.hyper), std::invalid_argument);
     EXPECT_THROW((void)projectProcess(data.X, data.y, {60}, data.hyper), std::invalid_argument);
     EXPECT_THROW((void)projectProcess(data.X, data.y.head(5), data.all, data.hyper),
@@ -261,15 +261,15 @@ TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
         data.y[3] = bad;
         EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
                      std::invalid_argument);
-        data = Data();
+        data = ProjectedData();
         data.X(7, 1) = bad;
         EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
                      std::invalid_argument);
-        data = Data();
+        data = ProjectedData();
         data.hyper.lengthScale[1] = bad;
         EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper),
                      std::invalid_argument);
-        data = Data();
+        data = ProjectedData();
     }
     data.hyper.noiseSd = 0.0;
     EXPECT_THROW((void)projectProcess(data.X, data.y, data.all, data.hyper), std::invalid_argument);
@@ -277,7 +277,7 @@ TEST(ProjectedProcess, refusesWhatItCannotLearnFrom)
 
 TEST(ProjectedProcess, weighsRowsByTheirVariance)
 {
-    const Data data;
+    const ProjectedData data;
     const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(60, 0.0, 2.0);
     const ProjectedProcess p =
         projectProcess(data.X, data.y, data.all, data.hyper, {}, {}, variance);
@@ -300,7 +300,7 @@ TEST(ProjectedProcess, weighsRowsByTheirVariance)
 
 TEST(ProjectedProcess, leavesOutPlacesOfNoisyRows)
 {
-    const Data data;
+    const ProjectedData data;
     const Eigen::VectorXd variance = Eigen::VectorXd::LinSpaced(60, 0.0, 2.0);
     std::vector<int> places = data.all;
     places[21] = 20;

@@ -14,12 +14,12 @@
 namespace terratact {
 namespace {
 
-struct Data {
+struct SparseData {
     Eigen::MatrixXd X;
     Eigen::VectorXd y;
     Hyperparameters hyper{Eigen::Vector3d(1.5, 2.0, 4.0), 1.2, 0.2};
 
-    explicit Data(Eigen::Index rows) : X(rows, 3), y(rows)
+    explicit SparseData(Eigen::Index rows) : X(rows, 3), y(rows)
     {
         std::mt19937_64 rng(1);
         std::normal_distribution<double> normal;
@@ -47,7 +47,7 @@ const std::vector<Eigen::Vector3d> kPlaces{
 
 TEST(SparseProcess, isTheFormulaOfItsHeader)
 {
-    const Data data(90);
+    const SparseData data(90);
     const SparseProcess p = sparseProcess(data.X, data.y, 12, data.hyper);
     ASSERT_EQ(p.inducing.size(), 12U);
     const Eigen::MatrixXd Z = data.X(p.inducing, Eigen::all);
@@ -68,7 +68,7 @@ TEST(SparseProcess, isTheFormulaOfItsHeader)
 
 TEST(SparseProcess, isTheExactOneWhereEveryRowInduces)
 {
-    Data data(40);
+    SparseData data(40);
     data.hyper.lengthScale << 0.3, 0.4, 0.5;  // no row explains another
     const SparseProcess p = sparseProcess(data.X, data.y, 40, data.hyper);
     ASSERT_EQ(p.inducing.size(), 40U);
@@ -83,7 +83,7 @@ TEST(SparseProcess, isTheExactOneWhereEveryRowInduces)
 
 TEST(SparseProcess, choosesEachRowOnceAndStopsWhereRowsRepeat)
 {
-    Data data(60);
+    SparseData data(60);
     const SparseProcess all = sparseProcess(data.X, data.y, 30, data.hyper);
     EXPECT_EQ(std::set<int>(all.inducing.begin(), all.inducing.end()).size(), 30U);
     EXPECT_EQ(all.inducing, sparseProcess(data.X, data.y, 30, data.hyper).inducing);
@@ -116,7 +116,7 @@ TEST(SparseProcess, takesOnlyRowsThatKeepItWellConditioned)
 
 /// Returns the largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance,
 /// at rows and beside them.
-double worstOf(const ReducedVariance& reduced, const Data& data)
+double worstOf(const ReducedVariance& reduced, const SparseData& data)
 {
     const double noise2 = data.hyper.noiseSd * data.hyper.noiseSd;
     Eigen::MatrixXd K = data.k(data.X, data.X);
@@ -135,7 +135,7 @@ double worstOf(const ReducedVariance& reduced, const Data& data)
 
 TEST(ReducedVariance, equalsTheVarianceThroughAllRows)
 {
-    const Data data(400);
+    const SparseData data(400);
     const auto reduced = reducedVariance(data.X, data.hyper);
     ASSERT_TRUE(reduced);
     EXPECT_GT(reduced->rows.size(), 20U);
@@ -147,10 +147,10 @@ TEST(ReducedVariance, equalsTheVarianceThroughAllRows)
 
 TEST(ReducedVariance, isEmptyIfItSavesNothingOrCannotBeJudged)
 {
-    Data data(100);
+    SparseData data(100);
     data.hyper.lengthScale << 0.1, 0.1, 0.1;  // no row explains another
     EXPECT_FALSE(reducedVariance(data.X, data.hyper));
-    data = Data(400);
+    data = SparseData(400);
     for (const double noise : {0.0, 1e-300, 1e-3}) {
         data.hyper.noiseSd = noise;
         EXPECT_FALSE(reducedVariance(data.X, data.hyper)) << noise;
@@ -160,7 +160,7 @@ TEST(ReducedVariance, isEmptyIfItSavesNothingOrCannotBeJudged)
     data.hyper.signalSd = 1e-155;  // whose square is subnormal
     data.hyper.noiseSd = 1e-156;
     EXPECT_FALSE(reducedVariance(data.X, data.hyper));
-    EXPECT_FALSE(reducedVariance(data.X.topRows(1), Data(1).hyper));
+    EXPECT_FALSE(reducedVariance(data.X.topRows(1), SparseData(1).hyper));
 }
 
 /// Rows around one place: none is worth choosing, but together they determine the slope there.
@@ -168,7 +168,7 @@ TEST(ReducedVariance, isEmptyIfRemainingRowsMatterTogether)
 {
     const double perRow = 0.9 * kUnexplainedOfNoise * 0.2 * 0.2 / (1.2 * 1.2);  // of σ_f²
     const auto rows = [perRow](int count) {
-        Data data(count);
+        SparseData data(count);
         data.hyper.lengthScale.setConstant(1.0);
         data.X.setZero();
         for (int u = 1; u < count; ++u) data.X(u, 0) = (u % 2 == 0 ? 1 : -1) * std::sqrt(perRow);
@@ -183,7 +183,7 @@ TEST(ReducedVariance, isEmptyIfRemainingRowsMatterTogether)
 TEST(ReducedVariance, stopsAtEveryPoll)
 {
     struct Stop {};
-    const Data data(200);
+    const SparseData data(200);
     int polls = 0;
     (void)reducedVariance(data.X, data.hyper, [&] { ++polls; });
     EXPECT_GT(polls, 30);
@@ -199,7 +199,7 @@ TEST(ReducedVariance, stopsAtEveryPoll)
 
 TEST(SparseGaussianProcess, comesCloseToTheExactOneAndCloserWithMoreRows)
 {
-    const Data data(300);
+    const SparseData data(300);
     const GaussianProcess exact(data.X, data.y, data.hyper, 0.5);
     double before = 2.0;
     for (const int m : {10, 30, 90}) {
@@ -223,7 +223,7 @@ TEST(SparseGaussianProcess, comesCloseToTheExactOneAndCloserWithMoreRows)
 TEST(SparseGaussianProcess, keepsItsVarianceBetweenTheNoiseAndThePrior)
 {
     for (const double noise : {1e-6, 0.2, 50.0}) {
-        Data data(200);
+        SparseData data(200);
         data.hyper.noiseSd = noise;
         const auto sparse = GaussianProcess::sparse(data.X, data.y, 40, data.hyper, -1.0);
         for (const Eigen::Vector3d& x : kPlaces) {
@@ -239,7 +239,7 @@ TEST(SparseGaussianProcess, keepsItsVarianceBetweenTheNoiseAndThePrior)
 
 TEST(SparseGaussianProcess, usesSinglePrecisionOnlyIfAccurate)
 {
-    Data data(300);
+    SparseData data(300);
     Eigen::VectorXd single, exact, mean;
     for (const double noise : {1e-5, 0.2, 0.7}) {
         data.hyper.noiseSd = noise;
@@ -258,7 +258,7 @@ TEST(SparseGaussianProcess, usesSinglePrecisionOnlyIfAccurate)
 TEST(SparseGaussianProcess, isBuiltOnlyIfEveryPollReturns)
 {
     struct Stop {};
-    const Data data(300);
+    const SparseData data(300);
     const auto built = [&](const Poll& poll) {
         return GaussianProcess::sparse(data.X, data.y, 60, data.hyper, 0.0, poll);
     };
@@ -276,7 +276,7 @@ TEST(SparseGaussianProcess, isBuiltOnlyIfEveryPollReturns)
 
 TEST(SparseProcess, refusesASignalWhoseVarianceUnderflows)
 {
-    Data data(50);
+    SparseData data(50);
     for (const double signalSd : {1e-200, 1e-155}) {
         data.hyper.signalSd = signalSd;
         EXPECT_THROW((void)sparseProcess(data.X, data.y, 5, data.hyper), std::invalid_argument);
@@ -285,7 +285,7 @@ TEST(SparseProcess, refusesASignalWhoseVarianceUnderflows)
 
 TEST(SparseProcess, refusesWhatItCannotLearnFrom)
 {
-    Data data(50);
+    SparseData data(50);
     EXPECT_THROW((void)sparseProcess(data.X, data.y, 0, data.hyper), std::invalid_argument);
     EXPECT_THROW((void)sparseProcess(data.X, data.y.head(49), 5, data.hyper),
                  std::invalid_argument);

@@ -11,23 +11,13 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/support/execute_sql.h"
 #include "tests/support/random_model.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
-
-/// Executes SQL on a file as another program would.
-void execute(const std::string& path, const std::string& sql)
-{
-    sqlite3* file = nullptr;
-    sqlite3_open(path.c_str(), &file);
-    const int code = sqlite3_exec(file, sql.c_str(), nullptr, nullptr, nullptr);
-    const std::string message = sqlite3_errmsg(file);
-    sqlite3_close(file);
-    if (code != SQLITE_OK) throw std::runtime_error(sql + ": " + message);
-}
 
 struct ModelFile : testing::Test {
     const TemporaryDirectory dir;
@@ -43,7 +33,7 @@ struct ModelFile : testing::Test {
                                           std::initializer_list<std::string_view> parts)
     {
         const std::string changed = dir.write("changed.ttm", contentOf(path));
-        execute(changed, sql);
+        executeSql(changed, sql);
         return refused(readModel(changed), changed, parts);
     }
     testing::AssertionResult refuses(const std::string& content,
@@ -228,7 +218,7 @@ TEST_F(ModelFile, refusesWhatIsNoModel)
     const std::string none = dir.file("none.ttm");
     EXPECT_TRUE(refused(readModel(none), none, {"cannot be opened", "No such file"}));
     const std::string other = dir.file("other.db");
-    execute(other, "CREATE TABLE song(title TEXT); INSERT INTO song VALUES('x')");
+    executeSql(other, "CREATE TABLE song(title TEXT); INSERT INTO song VALUES('x')");
     EXPECT_TRUE(refused(readModel(other), other, {"another application"}));
     EXPECT_FALSE(std::filesystem::exists(none));
 }

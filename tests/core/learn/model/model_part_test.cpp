@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/learn/model/model_file.h"
+#include "tests/support/execute_sql.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
@@ -63,15 +64,6 @@ Result<ModelData> merged(const std::vector<NamedModelPart>& parts,
                          const std::string& robotHash = kRobotHash)
 {
     return mergeModelParts(parts, absolem(), robotHash, "model.ttm");
-}
-
-void execute(const std::string& path, const std::string& sql)
-{
-    sqlite3* file = nullptr;
-    sqlite3_open(path.c_str(), &file);
-    const int code = sqlite3_exec(file, sql.c_str(), nullptr, nullptr, nullptr);
-    sqlite3_close(file);
-    if (code != SQLITE_OK) throw std::runtime_error(sql);
 }
 
 TEST(MergeModelParts, givesTheModelOfOneRunForAnySplit)
@@ -154,7 +146,7 @@ struct ModelPartFile : testing::Test {
                                           std::initializer_list<std::string_view> words)
     {
         const std::string changed = dir.write("changed.ttp", contentOf(path));
-        execute(changed, sql);
+        executeSql(changed, sql);
         return refused(readModelPart(changed), changed, words);
     }
 };

@@ -8,6 +8,7 @@
 #include "core/learn/data/side_features.h"
 #include "core/learn/model/model_file.h"
 #include "core/learn/model/reduced_clearances.h"
+#include "tests/support/execute_sql.h"
 #include "tests/support/random_model.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
@@ -29,15 +30,6 @@ ModelData withSides()
     model.sidesHash = std::string(64, 'b');
     model.sidesCommand = "terratact train --tracks two.csv --out model.ttm";
     return model;
-}
-
-void execute(const std::string& path, const std::string& sql)
-{
-    sqlite3* file = nullptr;
-    sqlite3_open(path.c_str(), &file);
-    const int code = sqlite3_exec(file, sql.c_str(), nullptr, nullptr, nullptr);
-    sqlite3_close(file);
-    ASSERT_EQ(code, SQLITE_OK) << sql;
 }
 
 TEST(SideTraining, learnsFromBothSidesOfEveryScene)
@@ -154,8 +146,8 @@ TEST(SideTraining, aFileKeepsItsHoles)
     ASSERT_TRUE(read) << read.error().text;
     EXPECT_EQ(read->data.sides.unknownBins, sent.sides.unknownBins);
     EXPECT_EQ(read->contentHash, contentHash(sent));
-    execute(dir.file("tracks.ttm"),
-            "UPDATE side_unknown_bins_row SET unknown_bins = 1 WHERE row = 1");
+    executeSql(dir.file("tracks.ttm"),
+               "UPDATE side_unknown_bins_row SET unknown_bins = 1 WHERE row = 1");
     EXPECT_TRUE(refused(readModel(dir.file("tracks.ttm")), dir.file("tracks.ttm"),
                         {"a number for a height that is unknown"}));
 }
@@ -242,7 +234,7 @@ TEST(SideTraining, aDamagedFileIsRefused)
           std::pair("PRAGMA user_version = 3", "tables"),
           std::pair("PRAGMA user_version = 5", "terratact train")}) {
         ASSERT_TRUE(writeModel(path, withSides()));
-        execute(path, sql);
+        executeSql(path, sql);
         EXPECT_TRUE(refused(readModel(path), path, {part})) << sql;
     }
 }
