@@ -1291,7 +1291,7 @@ značka K</translation>
     </message>
     <message>
         <source>error against the truth: %1 m rms, %2 m at %3 m, %4 of %5 bins in their band</source>
-        <translation>chyba proti skutečnosti: %1 m (střední kvadratická), %2 m v %3 m, %4 z %5 míst ve svém pásu</translation>
+        <translation>chyba proti skutečnosti: %1 m (střední kvadratická), %2 m v %3 m, %4 z %5 bodů ve svém pásu</translation>
     </message>
     <message>
         <source>%1. Left: %2. Right: %3. Either side: %4 %. Cross slope: %5</source>
@@ -1323,15 +1323,15 @@ značka K</translation>
     </message>
     <message>
         <source>bin %1 m left</source>
-        <translation>místo %1 m vlevo</translation>
+        <translation>bod %1 m vlevo</translation>
     </message>
     <message>
         <source>bin %1 m right</source>
-        <translation>místo %1 m vpravo</translation>
+        <translation>bod %1 m vpravo</translation>
     </message>
     <message>
         <source>bin %1 m</source>
-        <translation>místo %1 m</translation>
+        <translation>bod %1 m</translation>
     </message>
     <message>
         <source>%1: height %2 m, %3 m … %4 m, sd %5 m above the threshold %6 m</source>
@@ -1835,7 +1835,7 @@ značka K</translation>
     </message>
     <message>
         <source>bin [m]</source>
-        <translation>místo [m]</translation>
+        <translation>bod [m]</translation>
     </message>
     <message>
         <source>height [m]</source>
@@ -2845,7 +2845,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the arm does not reach that bin</source>
-        <translation>rameno na toto místo nedosáhne</translation>
+        <translation>rameno na tento bod nedosáhne</translation>
     </message>
     <message>
         <source>the robot finds no pose to rest in there</source>
@@ -5541,11 +5541,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a bin&apos;s scale is missing</source>
-        <translation>chybí měřítko místa</translation>
+        <translation>chybí měřítko bodu</translation>
     </message>
     <message>
         <source>a bin has two scales</source>
-        <translation>místo má dvě měřítka</translation>
+        <translation>bod má dvě měřítka</translation>
     </message>
     <message>
         <source>a layer of a network is too wide</source>
@@ -5557,7 +5557,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>covered bins are out of range</source>
-        <translation>zakrytá místa jsou mimo rozsah</translation>
+        <translation>zakryté body jsou mimo rozsah</translation>
     </message>
     <message>
         <source>a scene of the errors is missing, or there are too many</source>

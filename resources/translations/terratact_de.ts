@@ -1291,7 +1291,7 @@ Marke K</translation>
     </message>
     <message>
         <source>error against the truth: %1 m rms, %2 m at %3 m, %4 of %5 bins in their band</source>
-        <translation>Fehler gegen die Wahrheit: %1 m (quadratisches Mittel), %2 m bei %3 m, %4 von %5 Stellen in ihrem Band</translation>
+        <translation>Fehler gegen die Wahrheit: %1 m (quadratisches Mittel), %2 m bei %3 m, %4 von %5 Feldern in ihrem Band</translation>
     </message>
     <message>
         <source>%1. Left: %2. Right: %3. Either side: %4 %. Cross slope: %5</source>
@@ -1323,15 +1323,15 @@ Marke K</translation>
     </message>
     <message>
         <source>bin %1 m left</source>
-        <translation>Stelle %1 m links</translation>
+        <translation>Feld %1 m links</translation>
     </message>
     <message>
         <source>bin %1 m right</source>
-        <translation>Stelle %1 m rechts</translation>
+        <translation>Feld %1 m rechts</translation>
     </message>
     <message>
         <source>bin %1 m</source>
-        <translation>Stelle %1 m</translation>
+        <translation>Feld %1 m</translation>
     </message>
     <message>
         <source>%1: height %2 m, %3 m … %4 m, sd %5 m above the threshold %6 m</source>
@@ -1835,7 +1835,7 @@ Marke K</translation>
     </message>
     <message>
         <source>bin [m]</source>
-        <translation>Stelle [m]</translation>
+        <translation>Feld [m]</translation>
     </message>
     <message>
         <source>height [m]</source>
@@ -2845,7 +2845,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the arm does not reach that bin</source>
-        <translation>der Arm erreicht diese Stelle nicht</translation>
+        <translation>der Arm erreicht dieses Feld nicht</translation>
     </message>
     <message>
         <source>the robot finds no pose to rest in there</source>
@@ -5541,11 +5541,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>a bin&apos;s scale is missing</source>
-        <translation>der Maßstab einer Stelle fehlt</translation>
+        <translation>der Maßstab eines Feldes fehlt</translation>
     </message>
     <message>
         <source>a bin has two scales</source>
-        <translation>eine Stelle hat zwei Maßstäbe</translation>
+        <translation>ein Feld hat zwei Maßstäbe</translation>
     </message>
     <message>
         <source>a layer of a network is too wide</source>
@@ -5557,7 +5557,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>covered bins are out of range</source>
-        <translation>verdeckte Stellen liegen außerhalb des Bereichs</translation>
+        <translation>verdeckte Felder liegen außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>a scene of the errors is missing, or there are too many</source>
