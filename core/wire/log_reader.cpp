@@ -104,8 +104,8 @@ Result<LogReader::Line> LogReader::readLine()
             if (const Message kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
         const std::size_t end = got->find(lineEnd_, looked);
-        const std::size_t zero = got->find('\0', looked);
-        if (format_ && zero <= kMaxLineLength && zero < end) {  // after a power loss
+        const std::size_t zero = got->substr(0, end).find('\0', looked);
+        if (format_ && zero <= kMaxLineLength) {  // after a power loss
             ++line_;
             text_ = got->substr(0, zero);
             bytes_.consume(zero);
