@@ -160,7 +160,9 @@ struct Action {
 
 TEST_F(Console, noUserActionBlocksForLong)
 {
+    const double before = threadMilliseconds();
     openScripted();
+    const double opening = threadMilliseconds() - before;
     ASSERT_TRUE(readyToExplore());
     window->setRoom({1024, 600});
     window->resize(1024, 600);
@@ -196,15 +198,18 @@ TEST_F(Console, noUserActionBlocksForLong)
                                    QTest::keyClick(sheet, Qt::Key_F1);
                            }});
     }
-    // The minimum counts, because other programs lengthen processor time, too: they take the caches.
+    // Other programs lengthen processor time, too: they take the caches. So the minimum counts, and on a slow or busy
+    // machine the limit is a share of the time to open the window, measured in the same run.
     constexpr int kMaxRounds = 30;
-    constexpr double kLimit = 50.0;  // [ms]
-    const auto isSlow = [](const Action& action) { return action.took >= kLimit; };
+    constexpr double kShareOfOpening = 0.36;  // 50 ms where nothing else runs
+    const double limit = std::max(50.0, kShareOfOpening * opening);  // [ms]
+    std::printf("opening      %6.1f ms, so the limit is %.1f ms\n", opening, limit);
+    const auto isSlow = [limit](const Action& action) { return action.took >= limit; };
     for (int round = 0; round < kMaxRounds && std::ranges::any_of(actions, isSlow); ++round)
         for (Action& action : actions) action.took = std::min(action.took, longestOf(action.act));
     for (const Action& action : actions) {
         std::printf("%-12s %6.1f ms\n", action.name.c_str(), action.took);
-        EXPECT_LT(action.took, kLimit) << action.name;
+        EXPECT_LT(action.took, limit) << action.name;
     }
 }
 

@@ -13,35 +13,35 @@
 namespace terratact {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Payload = std::vector<std::uint8_t>;
 
 constexpr std::uint16_t kId = 0x1234;
 
-Bytes frame(int counter, std::uint16_t id = kId)
+Payload frame(int counter, std::uint16_t id = kId)
 {
-    Bytes bytes(8);
+    Payload bytes(8);
     protect(bytes, static_cast<std::uint8_t>(counter), id);
     return bytes;
 }
 
 TEST(Crc16, agreesWithThePublishedVectors)
 {
-    const Bytes digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+    const Payload digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
     EXPECT_EQ(crc16(digits), 0x29B1);
-    EXPECT_EQ(crc16(Bytes{0x00, 0x00, 0x00, 0x00}), 0x84C0);
-    EXPECT_EQ(crc16(Bytes{0xF2, 0x01, 0x83}), 0xD374);
-    EXPECT_EQ(crc16(Bytes{0xFF, 0xFF, 0xFF, 0xFF}), 0x1D0F);
+    EXPECT_EQ(crc16(Payload{0x00, 0x00, 0x00, 0x00}), 0x84C0);
+    EXPECT_EQ(crc16(Payload{0xF2, 0x01, 0x83}), 0xD374);
+    EXPECT_EQ(crc16(Payload{0xFF, 0xFF, 0xFF, 0xFF}), 0x1D0F);
 }
 
 TEST(Protection, agreesWithTheVectorsOfProfileFive)
 {
-    EXPECT_EQ(frame(0), (Bytes{0x1C, 0xCA, 0, 0, 0, 0, 0, 0}));
-    EXPECT_EQ(frame(1), (Bytes{0xCF, 0x8D, 1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(frame(0), (Payload{0x1C, 0xCA, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(frame(1), (Payload{0xCF, 0x8D, 1, 0, 0, 0, 0, 0}));
 }
 
 TEST(Protection, needsRoomForItsHeader)
 {
-    Bytes two(2);
+    Payload two(2);
     EXPECT_THROW(protect(two, 0, kId), std::invalid_argument);
     EXPECT_FALSE(isIntact(two, kId));
     EXPECT_FALSE(isIntact({}, kId));
@@ -52,7 +52,7 @@ class FlippedBits : public testing::TestWithParam<int> {};
 
 TEST_P(FlippedBits, oneTwoOrThreeAreAlwaysCaught)
 {
-    Bytes bytes(static_cast<std::size_t>(GetParam()));
+    Payload bytes(static_cast<std::size_t>(GetParam()));
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(37 * i);
     protect(bytes, 200, kId);
     ASSERT_TRUE(isIntact(bytes, kId));
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(ofEveryLength, FlippedBits, testing::Range(3, 9));
 
 TEST(Protection, detectsEveryOtherDataId)
 {
-    const Bytes bytes = frame(7);
+    const Payload bytes = frame(7);
     for (int id = 0; id <= 0xFFFF; ++id)
         ASSERT_EQ(isIntact(bytes, static_cast<std::uint16_t>(id)), id == kId) << id;
 }
@@ -137,7 +137,7 @@ TEST_F(Link, judgesEveryStepOfTheCounter)
 TEST_F(Link, livesThroughOneErrorInTheWindowAndEndsWithTwo)
 {
     receiveGood(10);
-    Bytes damaged = frame(last + 1);
+    Payload damaged = frame(last + 1);
     damaged[5] ^= 1U;
     EXPECT_EQ(receiver.receive(damaged, now), FrameCheck::WrongCrc);
     EXPECT_EQ(receiver.state(now), LinkState::Good);
@@ -153,7 +153,7 @@ TEST_F(Link, livesThroughOneErrorInTheWindowAndEndsWithTwo)
 TEST_F(Link, forgetsAnErrorThatHasLeftTheWindow)
 {
     receiveGood(10);
-    Bytes damaged = frame(0);
+    Payload damaged = frame(0);
     damaged[0] ^= 1U;
     for (int i = 0; i < 5; ++i) {
         receiver.receive(damaged, now);
@@ -167,7 +167,7 @@ TEST_F(Link, forgetsAnErrorThatHasLeftTheWindow)
 TEST_F(Link, countsAnotherSendersFrameAsDamaged)
 {
     EXPECT_EQ(receiver.receive(frame(1, kId + 1), now), FrameCheck::WrongCrc);
-    EXPECT_EQ(receiver.receive(Bytes(2), now), FrameCheck::WrongCrc);
+    EXPECT_EQ(receiver.receive(Payload(2), now), FrameCheck::WrongCrc);
 }
 
 TEST_F(Link, isStaleAndThenLostWithoutFrames)
