@@ -26,7 +26,7 @@ SourceText readingAt(ProbeSide side)
 }
 
 /// Returns the message, or the recorded name if it is nothing else.
-Message nameOr(Message message, const std::string& recorded)
+Message nameOr(const Message& message, const std::string& recorded)
 {
     const bool isName = message.context.empty() && message.arguments.empty() && !recorded.empty();
     return isName ? eventName(recorded) : message;

@@ -1,7 +1,4 @@
 #include "app/modelling/training_files.h"
-
-#include <utility>
-
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/sha256.h"
@@ -11,7 +8,7 @@ namespace {
 
 /// Adds the scenes of one more file.
 template <class File, class SceneType>
-void addFile(File&& file, std::string hash, TrainingScenes<SceneType>& all,
+void addFile(const File& file, const std::string& hash, TrainingScenes<SceneType>& all,
              const NoticeReport& report)
 {
     for (const Message& notice : file.notices) report(notice);
@@ -29,8 +26,7 @@ Result<TrainingScenes<Scene>> readPlanes(const std::vector<std::string>& files,
     for (const std::string& path : files) {
         auto file = readScenes(path);
         if (!file) return file.error();
-        std::string hash = file->hash;
-        addFile(*std::move(file), std::move(hash), all, report);
+        addFile(*file, file->hash, all, report);
     }
     if (files.size() > 1) all.hash = sha256Hex(all.hash);
     return all;
@@ -45,7 +41,7 @@ Result<TrainingScenes<TwoTrackScene>> readTracks(const std::vector<std::string>&
         if (!hash) return hash.error();
         auto file = readTwoTrackScenes(path);
         if (!file) return file.error();
-        addFile(*std::move(file), *std::move(hash), all, report);
+        addFile(*file, *hash, all, report);
     }
     if (files.size() > 1) all.hash = sha256Hex(all.hash);
     return all;

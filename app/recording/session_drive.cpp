@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "app/recording/session_text.h"
 #include "core/learn/data/drive_file.h"
@@ -55,7 +54,7 @@ void addWay(SessionReader& session, const RobotModel& robot, SessionDrive& into)
                 continue;
             }
             last = line.line;
-            drive.lines.push_back(std::move(line));
+            drive.lines.push_back(line);
         }
 }
 
@@ -77,7 +76,7 @@ void addScenes(const SessionReader& session, SessionDrive& into)
             continue;
         }
         ++into.scenes;
-        drive.lines.push_back(std::move(line));
+        drive.lines.push_back(line);
     }
 }
 

@@ -36,6 +36,14 @@ QColor areaOf(const Fill& fill, bool isUnder, bool isDown)
     return isUnder ? mixed(fill.area, fill.text, 0.1) : fill.area;
 }
 
+/// Returns an arrow at a place, in the state of its box.
+QStyleOption arrowIn(const QRect& place, const QStyleOption& box)
+{
+    QStyleOption arrow(box);
+    arrow.rect = place;
+    return arrow;
+}
+
 /// Draws the box of a list to choose from like a button, with an arrow.
 void drawChoice(const QStyle& style, const QStyleOptionComboBox& box, const QRect& arrow,
                 QPainter& painter, const QWidget* widget)
@@ -50,8 +58,7 @@ void drawChoice(const QStyle& style, const QStyleOptionComboBox& box, const QRec
                           : theme().off.area);
     painter.drawRoundedRect(QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
     painter.restore();
-    QStyleOption mark(box);
-    mark.rect = arrow;
+    const QStyleOption mark = arrowIn(arrow, box);
     style.drawPrimitive(QStyle::PE_IndicatorArrowDown, &mark, &painter, widget);
 }
 
@@ -75,8 +82,7 @@ void drawStep(const QStyle& style, const QStyleOptionSpinBox& box, QStyle::SubCo
     painter.setPen(theme().muted);
     painter.drawRect(around.adjusted(0, 0, -1, -1));
     painter.restore();
-    QStyleOption mark(box);
-    mark.rect = around;
+    QStyleOption mark = arrowIn(around, box);
     mark.state.setFlag(QStyle::State_Enabled, isOn);
     style.drawPrimitive(isUp ? QStyle::PE_IndicatorArrowUp : QStyle::PE_IndicatorArrowDown, &mark,
                         &painter, widget);
