@@ -148,8 +148,7 @@ private:
                                                             : std::nullopt)));
         }
         if (log_.stepsBack() > 0)
-            printText(messages_,
-                      "the log's clock is set {} times: the times above go on evenly\n",
+            printText(messages_, "the log's clock is set {} times: the times above go on evenly\n",
                       log_.stepsBack());
         if (log_.dropped() > 0)
             printText(messages_, "{} frames were lost when the log was recorded\n", log_.dropped());

@@ -118,8 +118,7 @@ void printCard(const ModelFacts& facts)
               "{:.2f} m\n",
               known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
               kStepLimit, facts.ground.relief);
-    if (facts.card.planeMix)
-        printText("{}", Lines(mixText(*facts.card.planeMix, "one plane: ")));
+    if (facts.card.planeMix) printText("{}", Lines(mixText(*facts.card.planeMix, "one plane: ")));
     if (facts.card.mix) printText("{}", Lines(mixText(*facts.card.mix)));
     if (facts.card.scores.empty())
         printText("errors   unknown; `terratact evaluate --card` finds them\n");

@@ -102,7 +102,8 @@ std::string inLanguage(const Message& message, const Units& shown)
     if (message.arguments.empty()) return source;
     std::vector<std::string> arguments;
     arguments.reserve(message.arguments.size());
-    for (const Message& argument : message.arguments) arguments.push_back(inLanguage(argument, shown));
+    for (const Message& argument : message.arguments)
+        arguments.push_back(inLanguage(argument, shown));
     if (shown != Units{}) {
         QString sentence = QString::fromStdString(source);
         convert(sentence, arguments);

@@ -1,4 +1,5 @@
 #include "app/modelling/training_files.h"
+
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/sha256.h"
