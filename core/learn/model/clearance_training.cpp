@@ -258,7 +258,7 @@ void calibrateContacts(SurfaceData& model, const Eigen::MatrixXd& ceilings, cons
     const double variance = std::max((h - h.mean()).square().mean() - errors.heightVariance, 0.0);
     const double sd = std::sqrt(variance * std::max(1.0 - gain, 0.0) / gain);
     data.contactSd = std::clamp(sd, kMin, kMax);
-    data.contactBias = std::clamp(h.mean() / gain - z.mean(), -0.1, 0.1);
+    data.contactBias = std::clamp(h.mean() - z.mean(), -0.1, 0.1);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ void store(SurfaceData& model, const TrainedSurface& trained, int bin, bool cove
 /// leave-one-out prediction m. Over the training scenes with an isolated contact, least squares
 /// fits
 ///   h − m = a + b (z − m),   |z − m| ≤ 0.1 m.
-/// A measurement of z + a / b with variance Var(h − m) (1 − b) / b has exactly that gain b. Var(h − m)
+/// A measurement with variance Var(h − m) (1 − b) / b has exactly that gain b. The bias is the mean
+/// of h − z, and not a / b: the residuals hold the mean of h − m already. Var(h − m)
 /// is without the mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m, without weight, if contacts add nothing (b ≤ 0).
 void finishClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                      const Poll& poll = {}, AbsentFeatures without = {});

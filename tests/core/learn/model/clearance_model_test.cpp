@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/learn/data/columns.h"
 #include "core/learn/model/clearance.h"
 #include "core/terrain/body_ceiling.h"
+#include "core/terrain/kinematic_reconstruction.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {
@@ -173,6 +175,40 @@ TEST(ClearanceTraining, givesAContactTheGainItHas)
     EXPECT_GE(toy().clearance.contactSd, 0.005);
     EXPECT_LE(toy().clearance.contactSd, 10.0);
     EXPECT_LE(std::abs(toy().clearance.contactBias), 0.1);
+}
+
+/// Isolated contacts of a training row of the toy.
+OptionalHeights contactsOf(Eigen::Index u)
+{
+    FeatureValues values;
+    for (std::size_t d = 0; d < kFeatures; ++d)
+        values[d] = toy().features(u, static_cast<Eigen::Index>(d));
+    return reconstructContacts(absolem(), proprioception(values), 2.0, true).height;
+}
+
+TEST(ClearanceTraining, aContactsBiasIsItsOwnErrorNotThePredictions)
+{
+    // Every prediction is 2 cm too high on average, and contacts tell 1 cm of its error. The residuals
+    // hold the 2 cm already.
+    ModelData model = toy();
+    const Eigen::MatrixXd ceilings = bodyCeilings(model.features, absolem());
+    double errors = 0.0, count = 0.0;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        const OptionalHeights contacts = contactsOf(u);
+        for (int i = 0; i < kBins; ++i) {
+            const double h = model.heights(u, i);
+            const double m = h + 0.02 + (u % 2 == 0 ? 0.01 : -0.01);
+            model.clearance.residuals(u, i) =
+                toSurface(h, ceilings(u, i)) - toSurface(m, ceilings(u, i));
+            const auto& z = contacts[static_cast<std::size_t>(i)];
+            if (!z || std::abs(*z - m) > 0.1) continue;
+            errors += h - *z;
+            count += 1.0;
+        }
+    }
+    finishClearance(model, ceilings, absolem());
+    EXPECT_LT(model.clearance.contactSd, 10.0) << "contacts tell something";
+    EXPECT_NEAR(model.clearance.contactBias, errors / count, 1e-9);
 }
 
 TEST(ClearanceTraining, needsOneRowOfCeilingsPerScene)
