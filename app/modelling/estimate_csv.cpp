@@ -74,7 +74,7 @@ void addRows(std::string& csv, const Scene& scene, const TerrainEstimate& e,
                         e.draws.size(),
                         name(e.ending),
                         name(e.touch[i]),
-                        fixed(verdict.horizon, 2),
+                        fixed(verdict.feltTo, 2),
                         name(verdict.stepVerdict)});
 }
 

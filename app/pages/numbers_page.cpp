@@ -29,6 +29,7 @@ QStringList textsOf(const TwoTrackVerdict& verdict, double limit)
     Verdict robot = plane;
     robot.stepVerdict = verdict.both;
     robot.horizon = std::min(plane.horizon, verdict.side[1].horizon);
+    robot.feltTo = std::min(plane.feltTo, verdict.side[1].feltTo);
     QStringList texts{VerdictStrip::answerOf(robot), sidesText(verdict), eitherText(verdict, limit),
                       whyText(verdict, false)};
     texts.removeAll(QString());

@@ -5967,6 +5967,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>not felt: %1</source>
         <translation>neohmatáno: %1</translation>
     </message>
+    <message>
+        <source>%1 to %2 m, felt to %3 m</source>
+        <translation>%1 do %2 m, ohmatáno do %3 m</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -12818,6 +12822,14 @@ vpředu</translation>
     <message>
         <source>, %1 further helps</source>
         <translation>, pomůže o %1 dál</translation>
+    </message>
+    <message>
+        <source>felt to %1 only, spanned to %2, risk below %3 %</source>
+        <translation>ohmatáno jen do %1, překlenuto do %2, riziko pod %3 %</translation>
+    </message>
+    <message>
+        <source>felt to %1 only, spanned to %2, risk below %3 %; not felt: %4</source>
+        <translation>ohmatáno jen do %1, překlenuto do %2, riziko pod %3 %; neohmatáno: %4</translation>
     </message>
 </context>
 <context>

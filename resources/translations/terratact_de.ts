@@ -5967,6 +5967,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>not felt: %1</source>
         <translation>nicht ertastet: %1</translation>
     </message>
+    <message>
+        <source>%1 to %2 m, felt to %3 m</source>
+        <translation>%1 bis %2 m, ertastet bis %3 m</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -12817,6 +12821,14 @@ voraus</translation>
     <message>
         <source>, %1 further helps</source>
         <translation>, %1 weiter hilft</translation>
+    </message>
+    <message>
+        <source>felt to %1 only, spanned to %2, risk below %3 %</source>
+        <translation>nur bis %1 ertastet, bis %2 überspannt, Risiko unter %3 %</translation>
+    </message>
+    <message>
+        <source>felt to %1 only, spanned to %2, risk below %3 %; not felt: %4</source>
+        <translation>nur bis %1 ertastet, bis %2 überspannt, Risiko unter %3 %; nicht ertastet: %4</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,7 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
     case Shortfall::None: break;
     case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
     case Shortfall::ShortHorizon:
-        text = VerdictStrip::tr("felt to %1 only").arg(format::signedLength(verdict.horizon, 2));
+        text = VerdictStrip::tr("felt to %1 only").arg(format::signedLength(verdict.feltTo, 2));
         break;
     case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
     }
@@ -91,6 +91,18 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
     if (verdict.help == Help::DriveOn)
         text += VerdictStrip::tr(", %1 further helps").arg(format::length(kBinWidth, 1));
     return text;
+}
+
+/// Returns how far CLEAR over spanned ground is felt, and what is not.
+QString spannedClearText(const Verdict& verdict, const QString& risk, const QString& unfelt)
+{
+    const QString felt = format::signedLength(verdict.feltTo, 2);
+    const QString to = format::signedLength(verdict.horizon, 2);
+    return unfelt.isEmpty()
+             ? VerdictStrip::tr("felt to %1 only, spanned to %2, risk below %3 %")
+                   .arg(felt, to, risk)
+             : VerdictStrip::tr("felt to %1 only, spanned to %2, risk below %3 %; not felt: %4")
+                   .arg(felt, to, risk, unfelt);
 }
 
 /// Returns how far CLEAR reaches and what lies beyond.
@@ -107,6 +119,7 @@ QString clearText(const Verdict& verdict)
                  : VerdictStrip::tr(
                        "up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2")
                        .arg(risk, unfelt, end);
+    if (verdict.shortfall == Shortfall::Spanned) return spannedClearText(verdict, risk, unfelt);
     return unfelt.isEmpty()
              ? VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %").arg(to, risk)
              : VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %; not felt: %3")

@@ -20,9 +20,17 @@ int horizonBin(const TerrainEstimate& estimate)
     return last;
 }
 
+int lastFeltBin(const TerrainEstimate& estimate)
+{
+    if (!isTouchRecorded(estimate)) return kBins - 1;
+    int bin = kFirstAhead;
+    while (bin < kBins && isFeltThrough(estimate.touch[static_cast<std::size_t>(bin)])) ++bin;
+    return bin - 1;
+}
+
 std::optional<double> feltHorizon(const TerrainEstimate& estimate)
 {
-    const int last = horizonBin(estimate);
+    const int last = lastFeltBin(estimate);
     if (last < kFirstAhead || !isTouchRecorded(estimate)) return std::nullopt;
     return binEnd(last);
 }

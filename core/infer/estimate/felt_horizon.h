@@ -13,12 +13,16 @@ inline constexpr double kHorizonSlack = 0.01;
 bool isTouchRecorded(const TerrainEstimate& estimate);
 
 /// Returns the last bin ahead that is felt, now or earlier, or lies behind a loaded element;
-/// kFirstAhead − 1: none.
+/// kFirstAhead − 1: none. Bins before it may be bounded, or felt in part.
 /// Where the touch is not recorded, it is the last bin.
 int horizonBin(const TerrainEstimate& estimate);
 
-/// Returns the front border of that bin [m]; empty if nothing ahead is felt, or the touch is not
-/// recorded.
+/// Returns the last bin ahead up to which every bin is felt, now or earlier; kFirstAhead − 1: the
+/// first one is not. Where the touch is not recorded, it is the last bin.
+int lastFeltBin(const TerrainEstimate& estimate);
+
+/// Returns the front border of lastFeltBin() [m]; empty if the first bin ahead is not felt, or the
+/// touch is not recorded.
 std::optional<double> feltHorizon(const TerrainEstimate& estimate);
 
 }  // namespace terratact

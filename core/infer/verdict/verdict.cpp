@@ -45,19 +45,12 @@ int reachBin(const TerrainEstimate& estimate)
     return last;
 }
 
-bool isFeltTo(const TerrainEstimate& estimate, int lastBin)
-{
-    for (int bin = kFirstAhead; bin <= lastBin; ++bin)
-        if (!isFeltThrough(touchAt(estimate, bin))) return false;
-    return true;
-}
-
 Shortfall shortfallOf(const TerrainEstimate& estimate, int horizon)
 {
     if (!isTouchRecorded(estimate)) return Shortfall::None;
     if (horizon < kFirstAhead) return Shortfall::NothingFelt;
     if (horizon < std::max(reachBin(estimate), kMinHorizonBin)) return Shortfall::ShortHorizon;
-    return isFeltTo(estimate, horizon) ? Shortfall::None : Shortfall::Spanned;
+    return lastFeltBin(estimate) >= horizon ? Shortfall::None : Shortfall::Spanned;
 }
 
 Help helpFor(Shortfall shortfall, const Measurement& scene)
@@ -74,6 +67,7 @@ void writeHorizon(Verdict& verdict, const TerrainEstimate& estimate, const Measu
     const int last = horizonBin(estimate);
     verdict.touchRecorded = isTouchRecorded(estimate);
     verdict.horizon = binBegin(last + 1);
+    verdict.feltTo = binBegin(lastFeltBin(estimate) + 1);
     verdict.shortfall = shortfallOf(estimate, last);
     verdict.help = helpFor(verdict.shortfall, scene);
     verdict.toHorizon = {1.0, 0.0};
@@ -162,7 +156,11 @@ Message stepVerdictMessage(const Verdict& verdict)
 {
     const SourceText answer = describe(verdict.stepVerdict);
     if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded) return answer;
-    return {TR_NOOP("core", "%1 to %2 m"), answer, signedFixed(verdict.horizon, 2)};
+    const std::string to = signedFixed(verdict.horizon, 2);
+    if (verdict.shortfall == Shortfall::Spanned)
+        return {TR_NOOP("core", "%1 to %2 m, felt to %3 m"), answer, to,
+                signedFixed(verdict.feltTo, 2)};
+    return {TR_NOOP("core", "%1 to %2 m"), answer, to};
 }
 
 Message unfeltMessage(const Verdict& verdict)

@@ -68,9 +68,12 @@ struct Verdict {
     std::vector<int> unfelt{};  ///< bins ahead that are bounded or not felt
     /// Not empty: the answer is withheld, and stepVerdict is CannotTell.
     std::vector<WithholdReason> withheldFor;
-    /// x up to which the ground ahead is felt [m], a bin's front border. binBegin(kFirstAhead):
+    /// x up to which CLEAR reaches [m], the front border of horizonBin(). binBegin(kFirstAhead):
     /// nothing ahead is felt. The last bin's border where the touch is not recorded.
     double horizon = binEnd(kBins - 1);
+    /// x up to which every bin ahead is felt [m], at most `horizon`: the front border of
+    /// lastFeltBin(). It is less than `horizon` where the flippers span ground.
+    double feltTo = binEnd(kBins - 1);
     /// Probability of a step from kFirstAhead to the horizon; {1, 0} for less than two bins, or
     /// without draws.
     StepProbability toHorizon;
@@ -83,7 +86,8 @@ struct Verdict {
 /// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.
 Message unfeltMessage(const Verdict& verdict);
 
-/// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL".
+/// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL". Over spanned ground: "CLEAR to +0.55 m,
+/// felt to +0.25 m".
 Message stepVerdictMessage(const Verdict& verdict);
 
 /// Return unfeltMessage() and stepVerdictMessage() in English.

@@ -66,6 +66,37 @@ TEST_F(Strip, clearNamesTheBinsThatAreNotFelt)
     EXPECT_TRUE(strip.reason().endsWith("not felt: 0.7 m")) << strip.reason().toStdString();
 }
 
+TEST_F(Strip, clearOverSpannedGroundSaysHowFarItIsFelt)
+{
+    Verdict v = verdict(StepVerdict::Clear, 0.01);
+    v.touchRecorded = true;
+    v.horizon = v.feltTo = 0.55;
+    strip.setVerdict(v);
+    EXPECT_TRUE(strip.reason().startsWith("felt to +0.55 m ahead")) << strip.reason().toStdString();
+    v.feltTo = 0.25;
+    v.shortfall = Shortfall::Spanned;
+    v.unfelt = {6, 9};
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.reason(), QStringLiteral("felt to +0.25 m only, spanned to +0.55 m, risk below "
+                                             "5 %; not felt: 0.3 m, 0.6 m"));
+    v.unfelt.clear();
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.reason(),
+              QStringLiteral("felt to +0.25 m only, spanned to +0.55 m, risk below 5 %"));
+}
+
+TEST_F(Strip, aShortHorizonCountsFeltBinsOnly)
+{
+    Verdict v = verdict(StepVerdict::CannotTell, 0.5);
+    v.touchRecorded = true;
+    v.horizon = 0.45;
+    v.feltTo = 0.25;
+    v.shortfall = Shortfall::ShortHorizon;
+    strip.setVerdict(v);
+    EXPECT_TRUE(VerdictStrip::brieflyOf(v, true).contains("felt to +0.25 m only"))
+        << VerdictStrip::brieflyOf(v, true).toStdString();
+}
+
 TEST_F(Strip, withheldVerdictDoesNotLeadWithItsProbability)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);

@@ -82,6 +82,7 @@ TEST(Verdict, clearEndsAtTheFeltHorizon)
     const Verdict v = verdictOf(estimateFeltTo(8), Measurement{}, {}, kLimit);
     EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_NEAR(v.horizon, 0.55, 1e-9);
+    EXPECT_DOUBLE_EQ(v.feltTo, v.horizon);
     EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m");
     EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
     EXPECT_GE(v.step.p, 1.0 - 0.95 * 0.95 - 1e-9);  // two bins that nobody felt
@@ -114,6 +115,9 @@ TEST(Verdict, spannedGroundNeedsALowRate)
     v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
+    EXPECT_NEAR(v.horizon, 0.55, 1e-9);
+    EXPECT_NEAR(v.feltTo, 0.25, 1e-9);
+    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m, felt to +0.25 m");
 }
 
 TEST(Verdict, steepFlippersGetTheHelpToLieFlatter)
