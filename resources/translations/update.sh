@@ -7,8 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 here=$PWD/resources/translations
 to=${1:-$here}
-lupdate=$(command -v lupdate || echo /usr/lib/qt6/bin/lupdate)
-[ -x "$lupdate" ] || {
+# Of a Qt 6: `lupdate` alone may be that of another Qt, or a program that starts it.
+lupdate=$(command -v /usr/lib/qt6/bin/lupdate || command -v lupdate-qt6 || command -v lupdate) || {
   echo "lupdate is missing: install qt6-l10n-tools" >&2
   exit 77
 }
@@ -22,5 +22,6 @@ for language in cs de; do
   file=$to/terratact_$language.ts
   [ "$to" = "$here" ] || cp "$here/terratact_$language.ts" "$file"
   (cd "$copy" && "$lupdate" -silent -no-obsolete -locations none -I . -source-language en -target-language $language \
-    -tr-function-alias QT_TRANSLATE_NOOP+=TR_NOOP core drivers widgets app -ts "$file") 2>&1 | grep -v 'Qualifying with unknown\|Ignoring definition' || true
+    -tr-function-alias QT_TRANSLATE_NOOP+=TR_NOOP core drivers widgets app -ts "$file") 2>&1 |
+    { grep -v 'Qualifying with unknown\|Ignoring definition' || true; }
 done
