@@ -2,13 +2,15 @@
 
 #include <utility>
 
+#include "core/log/recorded_sentences.h"
+
 namespace terratact {
 namespace {
 
 template <class Enum>
 Message messageOr(const std::optional<Enum>& value, const std::string& recorded)
 {
-    return value ? Message(describe(*value)) : Message::verbatim(recorded);
+    return value ? Message(describe(*value)) : recordedSentence(recorded);
 }
 
 /// A sentence that earlier recordings hold, and the one that is shown for it; both have the same
@@ -83,6 +85,7 @@ Message screenOf(const EventRow& event)
 Message messageOf(const EventRow& event)
 {
     if (!event.message.empty()) return withoutFormerTexts(event.message);
+    if (event.kind == EventKind::Marker) return Message::verbatim(event.text);  // a note
     if (event.kind == EventKind::Arming) return messageOr(causeOf(event), event.text);
     return messageOr(failureOf(event), event.text);
 }

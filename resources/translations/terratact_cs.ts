@@ -5971,6 +5971,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1 to %2 m, felt to %3 m</source>
         <translation>%1 do %2 m, ohmatáno do %3 m</translation>
     </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7552,6 +7556,14 @@ F1</translation>
     <message>
         <source>feel forward has ended after %1 m: %2</source>
         <translation>ohmatávání vpřed skončilo po %1 m: %2</translation>
+    </message>
+    <message>
+        <source>no answer in time: no probe</source>
+        <translation>včas nepřišla odpověď: bez sondy</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>robot hlásí, že je zastaven</translation>
     </message>
 </context>
 <context>

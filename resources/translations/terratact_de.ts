@@ -5971,6 +5971,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1 to %2 m, felt to %3 m</source>
         <translation>%1 bis %2 m, ertastet bis %3 m</translation>
     </message>
+    <message>
+        <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
+        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7552,6 +7556,14 @@ F1</translation>
     <message>
         <source>feel forward has ended after %1 m: %2</source>
         <translation>Vortasten nach %1 m beendet: %2</translation>
+    </message>
+    <message>
+        <source>no answer in time: no probe</source>
+        <translation>keine Antwort in der Zeit: keine Sondierung</translation>
+    </message>
+    <message>
+        <source>the robot says that it is stopped</source>
+        <translation>der Roboter meldet, dass er gestoppt ist</translation>
     </message>
 </context>
 <context>

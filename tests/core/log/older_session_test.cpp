@@ -7,6 +7,7 @@
 
 #include "core/infer/verdict/verdict.h"
 #include "core/log/event_text.h"
+#include "core/log/recorded_sentences.h"
 #include "core/log/recorded_words.h"
 #include "core/log/review_moment.h"
 #include "core/robot/two_tracks.h"
@@ -86,6 +87,50 @@ TEST_F(OlderSession, everyEventReadsAsItWasRecorded)
         EXPECT_GT(recorded.size(), 30U);
         EXPECT_EQ(readEvents(session), recorded) << path;
     }
+}
+
+TEST_F(OlderSession, sentencesCanBeShownInAnotherLanguage)
+{
+    const SessionReader session = opened(kDemo);
+    int words = 0;
+    for (const EventRow& event : session.events()) {
+        if (event.kind != EventKind::Word) continue;
+        ++words;
+        EXPECT_FALSE(messageOf(event).context.empty()) << event.text;
+        EXPECT_EQ(messageOf(event).english(), event.text);
+    }
+    EXPECT_GT(words, 10);
+}
+
+TEST(RecordedSentence, argumentsAreSentencesToo)
+{
+    const Message arm = recordedSentence("arm at 0.7 m: +0.01 m, inside the band shown before");
+    ASSERT_EQ(arm.arguments.size(), 3U);
+    EXPECT_EQ(arm.arguments[0], Message(TR_NOOP("terratact::Place", "at %1"), "0.7 m"));
+    EXPECT_EQ(arm.arguments[1], Message::verbatim("+0.01"));
+    EXPECT_EQ(arm.arguments[2], Message(TR_NOOP("terratact::Estimation", "inside")));
+}
+
+TEST(RecordedSentence, otherTextsStayAsTheyAre)
+{
+    for (const char* text :
+         {"", "at ", "STOP!", "estimate in", "probe approved", "probe at  m", "%1"})
+        EXPECT_EQ(recordedSentence(text), Message::verbatim(text)) << text;
+}
+
+TEST(RecordedSentence, sentencesInSentencesAreFollowedTwice)
+{
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += "exploration failed: ";
+    EXPECT_EQ(recordedSentence(text).english(), text);
+}
+
+TEST_F(OlderSession, aNoteOfTheOperatorIsNoSentence)
+{
+    EventRow note;
+    note.kind = EventKind::Marker;
+    note.text = "probe refused";
+    EXPECT_EQ(messageOf(note), Message::verbatim("probe refused"));
 }
 
 TEST_F(OlderSession, withoutMessagesReadsTheSame)
