@@ -16,6 +16,7 @@
 #include "core/infer/verdict/estimate_text.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/simulated_robot.h"
+#include "core/store/file_group.h"
 #include "core/store/file_write.h"
 #include "core/terrain/body_ceiling.h"
 
@@ -85,14 +86,16 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
     for (const Message& sentence : hiddenByBands(estimate)) printText("  {}\n", sentence.english());
     for (const Message& warning : estimate.warnings) printText("! {}\n", warning.english());
     const std::string csv = estimateCsv({scene}, {{estimate, ""}});
-    if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
+    FileGroup files;
+    if (Status s = files.add(stem.string() + ".csv", csv); !s) return s;
     FigureInput figure;
     figure.estimate = estimate;
     figure.outline = robotOutline(robot, scene.s.pitch, scene.s.front, scene.s.rear);
     figure.truth = truth;
     figure.title = title;
     figure.proposedBin = bin;
-    return writeProfileFigure(stem.string() + ".png", figure);
+    if (Status s = writeProfileFigure(stem.string() + ".png", figure, files.writer()); !s) return s;
+    return files.commit();
 }
 
 Scene sceneOf(const Measurement& measurement, const Heights& truth)

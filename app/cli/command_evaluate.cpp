@@ -13,6 +13,7 @@
 #include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
 #include "core/learn/data/two_track_scene_file.h"
+#include "core/store/file_group.h"
 #include "core/store/file_write.h"
 
 namespace terratact {
@@ -62,9 +63,11 @@ Status reportTracks(const std::vector<TwoTrackScene>& scenes, const EstimatorBun
         const std::string gap = methods.size() > 1 ? "\n" : "";
         printText("{}", Lines(gap + tracksTable(methods.back())));
     }
-    if (Status s = writeFileAtomically(inFolder(options, "tracks.csv"), tracksCsv(methods)); !s)
+    FileGroup files;
+    if (Status s = files.add(inFolder(options, "tracks.csv"), tracksCsv(methods)); !s) return s;
+    if (Status s = files.add(inFolder(options, "track_steps.csv"), trackStepsCsv(methods)); !s)
         return s;
-    return writeFileAtomically(inFolder(options, "track_steps.csv"), trackStepsCsv(methods));
+    return files.commit();
 }
 
 Status reportMissing(const std::vector<TrackMissing>& missing, const EvaluateOptions& options)

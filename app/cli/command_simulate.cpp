@@ -22,6 +22,7 @@
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/two_track_drive.h"
+#include "core/store/file_group.h"
 
 namespace terratact {
 
@@ -246,6 +247,16 @@ Result<Recording<TwoTrackScene>> driveOnTracks(const RobotModel& robot,
     return driveProfiles(robot, options, file->grounds);
 }
 
+/// Writes the files with one more, all of them or none. A stream takes the content after the files are written.
+Status writeBeside(FileGroup& files, const std::string& path, const std::string& content)
+{
+    const bool streams = isStandardOutput(path) || isStream(path);
+    if (!streams)
+        if (Status added = files.add(path, content); !added) return added;
+    if (Status written = files.commit(); !written) return written;
+    return streams ? writeText(path, content) : Status(Done{});
+}
+
 /// Writes a recording that `text` makes to a file, and says so.
 template <class AnyScene>
 Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotModel& robot,
@@ -256,7 +267,15 @@ Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotM
     if (recording->scenes.empty())
         return Error{
             fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
-    if (Status written = writeText(options.out, text(recording->scenes)); !written) return written;
+    FileGroup files;
+    std::size_t points = 0;
+    if (recording->map.isWanted()) {
+        const auto made = recording->map.write(robot, files);
+        if (!made) return made.error();
+        points = *made;
+    }
+    if (Status written = writeBeside(files, options.out, text(recording->scenes)); !written)
+        return written;
     std::FILE* const messages = messagesBeside(options.out);
     printText(messages, "{} scenes over {} written to {}", recording->scenes.size(),
               options.terrain, options.out);
@@ -264,9 +283,7 @@ Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotM
         printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
     printText(messages, "\n");
     if (!recording->map.isWanted()) return Done{};
-    const auto points = recording->map.write(robot);
-    if (!points) return points.error();
-    printText(messages, "{} points written to {}, poses to {}\n", *points, options.map.cloud,
+    printText(messages, "{} points written to {}, poses to {}\n", points, options.map.cloud,
               options.map.poses);
     return Done{};
 }

@@ -17,6 +17,7 @@
 #include "core/eval/tradeoff.h"
 #include "core/infer/estimate/quantile.h"
 #include "core/learn/data/scene_file.h"
+#include "core/store/file_group.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
 
@@ -203,14 +204,16 @@ Status tradeoff(const TradeoffOptions& options)
         references += referenceText(more);
     }
     if (points.empty()) return fileError(options.data, "no method has an estimate of any scene");
-    if (Status s = writeFileAtomically((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s)
-        return s;
-    if (Status s = writeFileAtomically((out / "presets.csv").string(),
-                                       presetsCsv((*bundle)->model.contentHash, points));
+    FileGroup group;
+    if (Status s = group.add((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s) return s;
+    if (Status s = group.add((out / "presets.csv").string(),
+                             presetsCsv((*bundle)->model.contentHash, points));
         !s)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})
-        if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;
+        if (Status s = writeTradeoffFigure((out / file).string(), points, group.writer()); !s)
+            return s;
+    if (Status s = group.commit(); !s) return s;
     printText("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
               "{}: tradeoff as CSV, "
               "PNG and SVG; presets.csv\n",

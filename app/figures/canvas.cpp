@@ -122,7 +122,8 @@ bool fontExists()
 
 /// Writes what `render` appends to the bytes. Errors name the file.
 Status writeDrawn(const std::string& path,
-                  const std::function<cairo_status_t(std::string& bytes)>& render)
+                  const std::function<cairo_status_t(std::string& bytes)>& render,
+                  const FileWriter& write = {})
 {
     if (!fontExists())
         return Error{path
@@ -132,7 +133,7 @@ Status writeDrawn(const std::string& path,
     const cairo_status_t status = render(bytes);
     if (status != CAIRO_STATUS_SUCCESS)
         return Error{path + ": cannot be drawn: " + cairo_status_to_string(status)};
-    return writeFileAtomically(path, bytes);
+    return write ? write(path, bytes) : writeFileAtomically(path, bytes);
 }
 
 /// Removes the last character of a UTF-8 text.
@@ -304,7 +305,8 @@ std::string signedNumber(double value, int digits)
 }
 
 Status writePicture(const std::string& path, int width, int height,
-                    const std::function<void(Canvas&)>& draw, const PictureText& text)
+                    const std::function<void(Canvas&)>& draw, const PictureText& text,
+                    const FileWriter& write)
 {
     const auto render = path.ends_with(".svg") ? renderSvg
                       : path.ends_with(".png") ? renderPng
@@ -314,11 +316,12 @@ Status writePicture(const std::string& path, int width, int height,
         return Error{path
                      + ": a picture's file ends in .png, .svg or .pdf; that of a report or a strip "
                        "also in .html"};
-    return writeDrawn(path, [&](std::string& bytes) {
+    const auto bytesOf = [&](std::string& bytes) {
         const cairo_status_t status = render(bytes, width, height, draw);
         if (render == renderSvg) addTexts(bytes, text);
         return status;
-    });
+    };
+    return writeDrawn(path, bytesOf, write);
 }
 
 Status writePages(const std::string& path, int width, int height, const std::string& title,

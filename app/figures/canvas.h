@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/store/file_group.h"
 
 struct _cairo;  // NOLINT(clang-diagnostic-reserved-identifier): the library's own name of cairo_t
 
@@ -82,9 +83,10 @@ struct PictureText {
 
 /// Draws a picture and writes it to `path` as PNG, SVG or PDF by the file ending. width, height: [px] at 150 px per
 /// inch in PDF. The file is written under a temporary name and renamed. Errors name the file: unknown ending, or not
-/// writable.
+/// writable. write: writes the file instead.
 Status writePicture(const std::string& path, int width, int height,
-                    const std::function<void(Canvas&)>& draw, const PictureText& text = {});
+                    const std::function<void(Canvas&)>& draw, const PictureText& text = {},
+                    const FileWriter& write = {});
 
 /// Draws one page, or a part of it.
 using PageDrawing = std::function<void(Canvas&)>;

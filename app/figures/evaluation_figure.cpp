@@ -245,25 +245,31 @@ void checkClasses(std::span<const ErrorHistogram> histograms, const char* who)
 
 }  // namespace
 
-Status writeHistogramFigure(const std::string& path, std::span<const ErrorHistogram> histograms)
+Status writeHistogramFigure(const std::string& path, std::span<const ErrorHistogram> histograms,
+                            const FileWriter& write)
 {
     checkClasses(histograms, "writeHistogramFigure");
-    return writePicture(path, widthFor(histograms.size()), kHeight,
-                        [&](Canvas& canvas) { drawHistograms(canvas, histograms); });
+    return writePicture(
+        path, widthFor(histograms.size()), kHeight,
+        [&](Canvas& canvas) { drawHistograms(canvas, histograms); }, {}, write);
 }
 
-Status writeQuartileFigure(const std::string& path, std::span<const MethodSummary> summaries)
+Status writeQuartileFigure(const std::string& path, std::span<const MethodSummary> summaries,
+                           const FileWriter& write)
 {
     if (summaries.empty()) throw std::invalid_argument("writeQuartileFigure: no summaries");
-    return writePicture(path, widthFor(summaries.size()), kHeight,
-                        [&](Canvas& canvas) { drawQuartiles(canvas, summaries); });
+    return writePicture(
+        path, widthFor(summaries.size()), kHeight,
+        [&](Canvas& canvas) { drawQuartiles(canvas, summaries); }, {}, write);
 }
 
-Status writePitFigure(const std::string& path, std::span<const ErrorHistogram> histograms)
+Status writePitFigure(const std::string& path, std::span<const ErrorHistogram> histograms,
+                      const FileWriter& write)
 {
     checkClasses(histograms, "writePitFigure");
-    return writePicture(path, kWidth, Panels::height(histograms.size()),
-                        [&](Canvas& canvas) { drawPanels(canvas, histograms); });
+    return writePicture(
+        path, kWidth, Panels::height(histograms.size()),
+        [&](Canvas& canvas) { drawPanels(canvas, histograms); }, {}, write);
 }
 
 }  // namespace terratact

@@ -14,7 +14,7 @@
 #include "core/eval/claims.h"
 #include "core/eval/confidence.h"
 #include "core/eval/groups.h"
-#include "core/store/file_write.h"
+#include "core/store/file_group.h"
 
 namespace terratact {
 namespace {
@@ -86,7 +86,7 @@ Results resultsOf(const Findings& findings, const std::vector<Scene>& scenes)
     return r;
 }
 
-Status writeTables(const std::filesystem::path& out, const Findings& findings,
+Status writeTables(FileGroup& group, const std::filesystem::path& out, const Findings& findings,
                    const Results& results, const std::vector<Scene>& scenes)
 {
     std::vector<std::pair<std::string, std::string>> files{
@@ -104,18 +104,20 @@ Status writeTables(const std::filesystem::path& out, const Findings& findings,
         files.emplace_back("classes.csv", groupsCsv("class", results.classes));
     if (!results.probes.empty()) files.emplace_back("probes.csv", probesCsv(results.probes));
     for (const auto& [file, text] : files)
-        if (Status s = writeFileAtomically((out / file).string(), text); !s) return s;
+        if (Status s = group.add((out / file).string(), text); !s) return s;
     return Done{};
 }
 
-Status writeFigures(const std::filesystem::path& out, const Results& results)
+Status writeFigures(FileGroup& group, const std::filesystem::path& out, const Results& results)
 {
     for (const std::string ending : {".png", ".svg"}) {
         const auto path = [&](const char* file) { return (out / file).string() + ending; };
         if (!results.fig8.empty())
-            if (Status s = writeHistogramFigure(path("fig8"), results.fig8); !s) return s;
-        if (Status s = writeQuartileFigure(path("fig9"), results.summaries); !s) return s;
-        if (Status s = writePitFigure(path("pit"), results.pit); !s) return s;
+            if (Status s = writeHistogramFigure(path("fig8"), results.fig8, group.writer()); !s)
+                return s;
+        if (Status s = writeQuartileFigure(path("fig9"), results.summaries, group.writer()); !s)
+            return s;
+        if (Status s = writePitFigure(path("pit"), results.pit, group.writer()); !s) return s;
     }
     return Done{};
 }
@@ -174,8 +176,10 @@ Status reportFindings(const Findings& findings, const std::string& directory)
         throw std::invalid_argument("a report needs the findings of all scenes");
     const std::vector<Scene> scenes = drivesOf(findings);
     const Results results = resultsOf(findings, scenes);
-    if (Status s = writeTables(directory, findings, results, scenes); !s) return s;
-    if (Status s = writeFigures(directory, results); !s) return s;
+    FileGroup group;
+    if (Status s = writeTables(group, directory, findings, results, scenes); !s) return s;
+    if (Status s = writeFigures(group, directory, results); !s) return s;
+    if (Status s = group.commit(); !s) return s;
     printTables(results, findings.errors, findings.options);
     printClaims(findings.errors, scenes, findings.options);
     printText("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);

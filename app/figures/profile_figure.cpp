@@ -345,10 +345,12 @@ private:
 
 }  // namespace
 
-Status writeProfileFigure(const std::string& path, const FigureInput& input)
+Status writeProfileFigure(const std::string& path, const FigureInput& input,
+                          const FileWriter& write)
 {
-    return writePicture(path, kProfileWidth, kProfileHeight,
-                        [&](Canvas& canvas) { drawProfile(canvas, input); });
+    return writePicture(
+        path, kProfileWidth, kProfileHeight, [&](Canvas& canvas) { drawProfile(canvas, input); },
+        {}, write);
 }
 
 void drawProfile(Canvas& canvas, const FigureInput& input)

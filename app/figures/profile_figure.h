@@ -6,6 +6,7 @@
 #include "app/figures/wording.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/estimate.h"
+#include "core/store/file_group.h"
 #include "core/terrain/outline.h"
 
 namespace terratact {
@@ -27,7 +28,8 @@ struct FigureInput {
 /// bars from the 0.1 to the 0.9 quantile, ceilings and the robot. Contact, arm, sampled and prior-only bins differ by
 /// shape and colour. Method and warnings stand under the title.
 /// The file is PNG or SVG by its ending, written under a temporary name and renamed. Errors name the file.
-Status writeProfileFigure(const std::string& path, const FigureInput& input);
+Status writeProfileFigure(const std::string& path, const FigureInput& input,
+                          const FileWriter& write = {});
 
 /// Draws the profile as part of a larger picture: kProfileWidth × kProfileHeight from the canvas's origin.
 void drawProfile(Canvas& canvas, const FigureInput& input);

@@ -176,11 +176,13 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
 
 }  // namespace
 
-Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points)
+Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points,
+                           const FileWriter& write)
 {
     if (points.empty()) throw std::invalid_argument("writeTradeoffFigure: no points");
-    return writePicture(path, kTradeoffWidth, kTradeoffHeight,
-                        [&](Canvas& canvas) { draw(canvas, points); });
+    return writePicture(
+        path, kTradeoffWidth, kTradeoffHeight, [&](Canvas& canvas) { draw(canvas, points); }, {},
+        write);
 }
 
 }  // namespace terratact

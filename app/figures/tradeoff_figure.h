@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/eval/tradeoff.h"
+#include "core/store/file_group.h"
 
 namespace terratact {
 
@@ -12,6 +13,7 @@ namespace terratact {
 /// logarithmic. Each of the two panels has one marker per point, in its method's colour. Pareto fronts are lines, and
 /// presets have names. PNG or SVG by the file ending, 1800 × 760 px, written under a temporary name and renamed. Throws
 /// std::invalid_argument for no points.
-Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points);
+Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points,
+                           const FileWriter& write = {});
 
 }  // namespace terratact

@@ -7,7 +7,6 @@
 
 #include "app/modelling/simulated_recording.h"
 #include "core/store/csv_text.h"
-#include "core/store/file_write.h"
 
 namespace terratact {
 namespace {
@@ -45,7 +44,7 @@ CloudPose SimulatedMap::placeOf(std::size_t drive) const
          Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))});
 }
 
-Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
+Result<std::size_t> SimulatedMap::write(const RobotModel& robot, FileGroup& files) const
 {
     std::mt19937_64 rng(options_.seed);
     std::vector<CloudPoint> cloud;
@@ -69,9 +68,8 @@ Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
                 csvLine({d.run, d.scenes[k].time, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
         }
     }
-    if (Status done = writeFileAtomically(options_.poses, poses); !done) return done.error();
-    if (Status done = writeFileAtomically(options_.cloud, pcdText(cloud)); !done)
-        return done.error();
+    if (Status done = files.add(options_.poses, poses); !done) return done.error();
+    if (Status done = files.add(options_.cloud, pcdText(cloud)); !done) return done.error();
     if (!options_.recording.empty())
         if (Status done = writeSimulatedRecording(options_.recording, robot, stops,
                                                   options_.floorPoses, options_.seed);

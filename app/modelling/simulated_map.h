@@ -8,6 +8,7 @@
 #include "core/clouds/made_cloud.h"
 #include "core/learn/data/two_track_scene.h"
 #include "core/robot/two_tracks.h"
+#include "core/store/file_group.h"
 #include "core/terrain/ground_lines.h"
 
 namespace terratact {
@@ -34,8 +35,8 @@ public:
     void add(const std::string& run, const GroundLines& ground, std::vector<TwoTrackPose> poses,
              std::vector<TwoTrackScene> scenes);
 
-    /// Writes the files. Returns the number of points. Errors name the file.
-    Result<std::size_t> write(const RobotModel& robot) const;
+    /// Adds cloud and poses to `files`, and writes the recording. Returns the number of points. Errors name the file.
+    Result<std::size_t> write(const RobotModel& robot, FileGroup& files) const;
 
 private:
     struct Drive {

@@ -213,6 +213,17 @@ Result<NewFile> NewFile::begin(const std::string& path, Access access)
     return created;
 }
 
+Result<NewFile> NewFile::filled(const std::string& path, std::string_view content, Access access)
+{
+    Result<NewFile> file = begin(path, access);
+    if (!file) return file;
+    Descriptor out(file->openTemporary());
+    if (out.fd() < 0) return cannotWrite(path, errno);
+    if (const int code = writeAll(out.fd(), content)) return cannotWrite(path, code);
+    if (::fsync(out.fd()) != 0 || !out.close()) return cannotWrite(path, errno);
+    return file;
+}
+
 int NewFile::openTemporary() const
 {
     return ::open(temporary_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
@@ -264,13 +275,8 @@ Status makeDirectory(const std::string& path, Access access)
 
 Status writeFileAtomically(const std::string& path, std::string_view content, Access access)
 {
-    Result<NewFile> file = NewFile::begin(path, access);
-    if (!file) return file.error();
-    Descriptor out(file->openTemporary());
-    if (out.fd() < 0) return cannotWrite(path, errno);
-    if (const int code = writeAll(out.fd(), content)) return cannotWrite(path, code);
-    if (!out.close()) return cannotWrite(path, errno);
-    return file->commit();
+    Result<NewFile> file = NewFile::filled(path, content, access);
+    return file ? file->commit() : Status(file.error());
 }
 
 }  // namespace terratact

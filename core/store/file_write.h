@@ -34,6 +34,11 @@ public:
     /// file are kept, unless `access` is Owner.
     static Result<NewFile> begin(const std::string& path, Access access = Access::Everybody);
 
+    /// Creates the temporary file with this content, flushed to the disk. Errors: as begin(), or the
+    /// content does not fit on the disk.
+    static Result<NewFile> filled(const std::string& path, std::string_view content,
+                                  Access access = Access::Everybody);
+
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&& other) noexcept;
     NewFile(const NewFile&) = delete;

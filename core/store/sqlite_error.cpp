@@ -14,7 +14,6 @@ Message sqliteMessage(sqlite3* file)
         TR_NOOP("core", "database disk image is malformed"),
         TR_NOOP("core", "file is not a database"),
         TR_NOOP("core", "database is locked"),
-        TR_NOOP("core", "database or disk is full"),
         TR_NOOP("core", "disk I/O error"),
         TR_NOOP("core", "unable to open database file"),
         TR_NOOP("core", "attempt to write a readonly database"),
@@ -24,6 +23,9 @@ Message sqliteMessage(sqlite3* file)
     };
     constexpr std::string_view kSchema = "malformed database schema (";
     const std::string said = sqlite3_errmsg(file);
+    if (sqlite3_errcode(file) == SQLITE_FULL)
+        return TR_NOOP("core",
+                       "the disk is full: free space on it, or name a file on another disk");
     for (const SourceText& usual : kUsual)
         if (said == usual.english) return usual;
     if (said.starts_with(kSchema))

@@ -13,7 +13,8 @@ public:
     using Failure::Failure;
 };
 
-/// Returns SQLite's text of the last failure of `file`. Usual texts can be translated.
+/// Returns SQLite's text of the last failure of `file`; for a full disk, a sentence that says what to
+/// do. Usual texts can be translated.
 Message sqliteMessage(sqlite3* file);
 
 /// Throws SqliteError with sqliteMessage() unless the result code is SQLITE_OK.

@@ -3476,10 +3476,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>databáze je zamčena</translation>
     </message>
     <message>
-        <source>database or disk is full</source>
-        <translation>databáze nebo disk jsou plné</translation>
-    </message>
-    <message>
         <source>disk I/O error</source>
         <translation>chyba čtení nebo zápisu na disk</translation>
     </message>
@@ -5974,6 +5970,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>the disk is full: free space on it, or name a file on another disk</source>
+        <translation>disk je plný: uvolněte na něm místo, nebo zadejte soubor na jiném disku</translation>
     </message>
 </context>
 <context>

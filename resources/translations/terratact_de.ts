@@ -3476,10 +3476,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Datenbank ist gesperrt</translation>
     </message>
     <message>
-        <source>database or disk is full</source>
-        <translation>Datenbank oder Datenträger ist voll</translation>
-    </message>
-    <message>
         <source>disk I/O error</source>
         <translation>Fehler beim Lesen oder Schreiben des Datenträgers</translation>
     </message>
@@ -5974,6 +5970,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
+    </message>
+    <message>
+        <source>the disk is full: free space on it, or name a file on another disk</source>
+        <translation>der Datenträger ist voll: Platz schaffen oder eine Datei auf einem anderen Datenträger nennen</translation>
     </message>
 </context>
 <context>

@@ -230,6 +230,33 @@ class FullDisks(Scenes):
         self.assertIn("disk full", complaint("simulate", "--terrain", "varied", "--count", 1, "--out", "/dev/full"))
 
 
+    def test_files_that_belong_together_are_all_written_or_none(self):
+        def too_large(most, command):
+            shell(f"trap '' XFSZ; ulimit -f {most}; cd {self.path}; $T {command}", code=1)
+            return sorted(p.name for p in self.path.rglob("*") if p.is_file())
+
+        command = "simulate --tracks --terrain varied --count 8 --cloud c.pcd --poses p.csv --out s.csv"
+        self.assertEqual(too_large(100, command), ["scenes.csv"])
+        (self.path / "p.csv").write_text("old")
+        self.assertEqual(too_large(100, command), ["p.csv", "scenes.csv"])
+        self.assertEqual((self.path / "p.csv").read_text(), "old")
+        self.assertEqual(too_large(30, "evaluate --data scenes.csv --methods local --out ev"), ["p.csv", "scenes.csv"])
+
+    def test_a_full_disk_of_a_session_is_named_with_what_to_do(self):
+        if os.geteuid() != 0:
+            self.skipTest("only root mounts a small disk")
+        small = self.path / "small"
+        small.mkdir()
+        done = subprocess.run(["unshare", "-m", "bash", "-c", f"mount -t tmpfs -o size=64k none {small} || exit 77; "
+                               f"$T session import {LOG} --out {small}/a.tts"], capture_output=True, text=True,
+                              env=os.environ | {"T": CLI}, timeout=300, check=False)
+        if done.returncode == 77:
+            self.skipTest("no small disk can be mounted here")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"{small}/a.tts", done.stderr)
+        self.assertIn("the disk is full: free space on it, or name a file on another disk", done.stderr)
+
+
 class Ranges(Scenes):
     def test_an_export_of_nothing_is_an_error(self):
         out = self.path / "a.csv"
