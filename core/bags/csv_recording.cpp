@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/bags/time_unit.h"
 #include "core/base/text.h"
 #include "core/store/csv_reader.h"
 #include "core/store/file_read.h"
@@ -49,11 +50,29 @@ NamedTime namedTime(std::string_view column)
     return {std::move(name), 0.0};
 }
 
-double unitOf(double value)
+constexpr std::size_t kUnitRows = 1'000;  // that show the unit of times
+
+/// Times at the begin of a file.
+struct FirstTimes {
+    double first = 0.0;
+    double step = 0.0;  ///< middle one that rises; 0: none does
+};
+
+/// Reads the first times of a file below its header, and leaves out what is no number.
+FirstTimes firstTimes(CsvReader& csv, std::size_t column)
 {
-    if (value > 1e17) return kNanosecond;
-    if (value > 1e14) return 1e-6;
-    return value > 1e11 ? 1e-3 : 1.0;
+    std::vector<double> times, steps;
+    while (times.size() < kUnitRows) {
+        const auto more = csv.next();
+        if (!more || !*more) break;
+        if (const auto time = csv.number(column, "")) times.push_back(*time);
+    }
+    for (std::size_t i = 1; i < times.size(); ++i)
+        if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+    if (steps.empty()) return {times.empty() ? 0.0 : times.front(), 0.0};
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::ranges::nth_element(steps, middle);
+    return {times.front(), *middle};
 }
 
 /// Returns a time [ns] without rounding, if the text is a decimal number of at most 18 digits.
@@ -71,10 +90,11 @@ std::optional<std::int64_t> exactTime(std::string_view text, double unit)
 class CsvRecording final : public Recording {
 public:
     CsvRecording(const std::string& path, CsvReader reader, std::vector<std::string> columns,
-                 std::size_t timeColumn, double unit)
+                 std::size_t timeColumn, double unit, std::string unitRemark)
         : Recording(path), reader_(std::move(reader)), columns_(std::move(columns)),
           timeColumn_(timeColumn), unit_(unit)
     {
+        if (!unitRemark.empty()) remark(std::move(unitRemark));
         topics_.push_back({.name = kCsvTopic, .type = "table", .encoding = "csv"});
     }
 
@@ -148,7 +168,6 @@ private:
                             "export times as seconds since 1970 or since the begin",
                             shown(columns_[timeColumn_]), shown(text)));
         if (!number) return number.error();
-        if (unit_ == 0.0) unit_ = unitOf(*number);
         if (const auto exact = exactTime(reader_.fields()[timeColumn_], unit_)) return *exact;
         const double time = *number * unit_ / kNanosecond;
         if (!(std::abs(time) < 9.2e18))
@@ -163,7 +182,7 @@ private:
     std::vector<std::string> columns_;
     std::size_t timeColumn_;
     bool isFirst_ = true;  ///< the first line below the header is next
-    double unit_;          ///< [s]; 0: not known yet
+    double unit_;          ///< [s]
 };
 
 std::string listOf(const std::vector<std::string>& columns)
@@ -175,11 +194,31 @@ std::string listOf(const std::vector<std::string>& columns)
     return columns.size() > kMost ? list + ", …" : list;
 }
 
+/// Returns the unit of times [s] from the first rows of a text. remark: what is taken for granted, if anything is.
+Result<double> unitIn(const std::string& path, std::string text,
+                      const std::vector<std::string>& columns, std::size_t timeColumn,
+                      std::string& remark)
+{
+    auto csv = CsvReader::over(path, std::move(text));
+    if (!csv) return csv.error();
+    if (const auto header = csv->next(); !header) return header.error();
+    csv->useAsHeader(std::vector<std::string>(columns.size()));
+    const FirstTimes times = firstTimes(*csv, timeColumn);
+    const TimeUnit unit = timeUnitOf(times.first, times.step);
+    if (times.step > 1.0 && timeUnitOf(times.first, 0.0).seconds != unit.seconds)
+        remark = fmt::format("column {} rises by {} from row to row and is taken for {}; if it is "
+                             "not, name its unit in the mapping: [csv] time_unit",
+                             shown(columns[timeColumn]), numberText(times.step), unit.name);
+    return unit.seconds;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path, const CsvTime& time)
 {
-    auto csv = CsvReader::open(path);
+    auto text = CsvReader::textOf(path);
+    if (!text) return text.error();
+    auto csv = CsvReader::over(path, *text);
     if (!csv) return csv.error();
     const auto more = csv->next();
     if (!more) return more.error();
@@ -201,8 +240,14 @@ Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path, con
             "mapping: [csv] time_column",
             time.column.empty() ? "" : fmt::format(" {}", shown(time.column)), listOf(columns)));
     csv->useAsHeader(std::vector<std::string>(columns.size()));
+    std::string unitRemark;
+    if (unit == 0.0) {
+        const auto found = unitIn(path, *std::move(text), columns, *timeColumn, unitRemark);
+        if (!found) return found.error();
+        unit = *found;
+    }
     return std::unique_ptr<Recording>(std::make_unique<CsvRecording>(
-        path, std::move(*csv), std::move(columns), *timeColumn, unit));
+        path, std::move(*csv), std::move(columns), *timeColumn, unit, std::move(unitRemark)));
 }
 
 }  // namespace terratact

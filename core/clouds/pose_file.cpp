@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/bags/time_unit.h"
 #include "core/base/text.h"
 #include "core/clouds/cloud_fields.h"
 #include "core/clouds/cloud_file.h"
@@ -28,14 +29,12 @@ constexpr std::array<std::string_view, 8> kPoseColumns{"time", "x",  "y",  "z",
                                                        "qx",   "qy", "qz", "qw"};
 using PoseNumbers = std::array<double, kPoseColumns.size()>;
 
-/// Returns why times of this order of magnitude [s] are wrong: they may have another unit. ofSeconds: what they would
-/// be at most in seconds.
-std::string unitDoubt(double time, double ofSeconds)
+/// Returns why such times are wrong: they may have another unit. step: between two; 0: there is none.
+std::string unitDoubt(double first, double step)
 {
-    const double times = std::abs(time) / ofSeconds;
-    return fmt::format("are the times in {}? Seconds were expected", times > 1e6   ? "ns"
-                                                                     : times > 1e3 ? "µs"
-                                                                                   : "ms");
+    const std::string unit = timeUnitOf(first, step).name;
+    if (unit == "s") return "seconds since 1970 or since the begin were expected";
+    return fmt::format("are the times in {}? Seconds were expected", unit == "us" ? "µs" : unit);
 }
 
 /// Collects the poses of each run; refuses those that no drive has.
@@ -60,7 +59,7 @@ public:
         constexpr double kLatest = 1e10;  // [s] since 1970: the year 2286
         if (std::abs(v[0]) > kLatest)
             return fmt::format("the time {:.0f} s lies after the year 2286: {}", v[0],
-                               unitDoubt(v[0], kLatest));
+                               unitDoubt(v[0], stepBefore(run)));
         if (++count_ > kMaxPoses) return fmt::format("there are more than {} poses", kMaxPoses);
         auto& entries = runs_[run];
         const Eigen::Vector3d place{v[1], v[2], v[3]};
@@ -92,6 +91,14 @@ public:
     }
 
 private:
+    /// Returns the last step between two poses of a run; 0: it has none.
+    double stepBefore(const std::string& run) const
+    {
+        const auto found = runs_.find(run);
+        if (found == runs_.end() || found->second.size() < 2) return 0.0;
+        return found->second.back().time - found->second[found->second.size() - 2].time;
+    }
+
     PoseLimits limits_;
     std::map<std::string, std::vector<PoseTrack::Entry>> runs_;
     std::size_t count_ = 0;
@@ -144,7 +151,8 @@ public:
         for (const auto& [run, track] : tracks)
             if (const double apart = middleInterval(track); apart > std::max(kFarApart, maxGap_))
                 return file_.error(fmt::format("its poses are {:.0f} s apart in the middle: {}",
-                                               apart, unitDoubt(apart, kFarApart)));
+                                               apart,
+                                               unitDoubt(track.entries().front().time, apart)));
         return tracks;
     }
 

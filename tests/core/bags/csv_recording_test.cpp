@@ -1,6 +1,7 @@
 // Tests time series in CSV files.
 #include "core/bags/csv_recording.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_directory.h"
@@ -55,6 +56,37 @@ TEST_F(CsvSeries, theUnitOfTimesFollowsNameOrSize)
     EXPECT_EQ(rows("tick,pitch\n250,1\n", {.column = "tick", .unit = 1e-3}),
               (Rows{{250'000'000, 1.0}}));
     EXPECT_EQ(rows("time;pitch\n1,5e0;2,5\n"), (Rows{{1'500'000'000, 2.5}})) << "decimal commas";
+}
+
+TEST_F(CsvSeries, theUnitOfTimesFromTheBeginFollowsTheirSteps)
+{
+    for (const auto& [name, perSecond] :
+         {std::pair{"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1.0}})
+        for (const std::int64_t begin : {0LL, 1'793'000'000'000'000'000LL}) {
+            Rows wanted;
+            std::string text = "time,pitch\n";
+            for (int i = 0; i < 5; ++i) {
+                wanted.emplace_back(begin + i * 50'000'000LL, 0.5);
+                const bool isWhole = perSecond < 1e9;
+                const auto whole = wanted.back().first / static_cast<std::int64_t>(perSecond);
+                text += isWhole ? fmt::format("{},0.5\n", whole)
+                                : fmt::format("{}.{:02},0.5\n", whole, 5 * i);
+            }
+            EXPECT_EQ(rows(text), wanted) << name << " from " << begin << ": " << why;
+            if (begin > 0 || perSecond == 1e9) {
+                EXPECT_TRUE(remarks.empty());
+                continue;
+            }
+            ASSERT_EQ(remarks.size(), 1U) << name;
+            EXPECT_NE(remarks[0].find(fmt::format("is taken for {}; if it is not, name its unit "
+                                                  "in the mapping: [csv] time_unit",
+                                                  name)),
+                      std::string::npos)
+                << remarks[0];
+        }
+    EXPECT_EQ(rows("time,pitch\n0,0.5\n50,0.5\n", {.unit = 1.0}),
+              (Rows{{0, 0.5}, {50'000'000'000, 0.5}}))
+        << "the mapping decides";
 }
 
 TEST_F(CsvSeries, missingColumnsAndTimesAreNamed)

@@ -60,6 +60,14 @@ TEST_F(Poses, unitsAreDoubted)
     EXPECT_TRUE(refuses(drive(1e3, 1.0), {"400 s apart", "are the times in ms?"}));
     EXPECT_TRUE(refuses(drive(1e6, 1.0), {"are the times in µs?"}));
     EXPECT_TRUE(refuses(drive(1e9, 1.0), {"400000000 s apart", "are the times in ns?"}));
+    for (const auto& [name, perSecond] : {std::pair{"ms", 1e3}, {"µs", 1e6}, {"ns", 1e9}})
+        for (const double begin : {0.0, 1.793e9}) {
+            std::string text;
+            for (int i = 0; i < 900; ++i)
+                text +=
+                    fmt::format("{:.0f} {} 0 0 0 0 0 1\n", (begin + 0.1 * i) * perSecond, 0.01 * i);
+            EXPECT_TRUE(refuses(text, {fmt::format("are the times in {}?", name).c_str()}));
+        }
     EXPECT_TRUE(refuses(drive(1.0, 1e3), {"line 2: the pose jumps 500.00 m", "in mm?"}));
     EXPECT_TRUE(
         refuses("1793000000123 0 0 0 0 0 0 1\n", {"line 1: the time", "are the times in ms?"}));
