@@ -75,26 +75,32 @@ the bins with one and two sd:
     40 scenes with … known heights written to truth.csv
 
 `terratact-console drive.truth`, or *Open* in any window, opens it. Keys: A accepts a scene, X excludes it, and the next open scene appears.
-U and D move the heights up and down by 5 mm. F and G tilt the ground ahead up and down by 0.005 rad. 0 takes the nudge away. Ctrl+Z undoes.
-The decisions are saved by themselves in `drive.truth.decisions.csv`. The truth file is never changed. Ctrl+E writes the scenes with the
-decisions under a new name. A place along the way cannot be nudged, because every bin changes with it: correct the poses.
+U and D move the heights up and down by 5 mm. F and G tilt the ground ahead up and down by 0.005 rad. K moves the cloud ahead by 2 cm under
+the robot, J moves it back, at most 0.2 m. 0 takes the nudge away. Ctrl+Z undoes. The decisions are saved by themselves in
+`drive.truth.decisions.csv`. The truth file is never changed. Ctrl+E writes the scenes with the decisions under a new name.
+
+A nudge along samples every bin again from the cells of the scene. Heights, sd and the robot's own points follow. The boundary of the
+robot at its other poses moves with it, because one drive usually has one error of its poses. The truth file holds these cells, at most
+243 MB of heights. Files of the first version hold a slice instead: they open, but are not nudged along. A person who corrects many
+scenes of a drive in one direction should correct the poses, and run `truth` again.
 
 The same decisions act on the command line. A run beside the row guards against decisions on other scenes. Scenes without a decision are accepted:
 
-    $ printf 'row,run,decision,offset_m,tilt_rad\n3,,exclude,,\n5,,accept,-0.01,0.005\n' >decisions.csv
+    $ printf 'row,run,decision,offset_m,tilt_rad,along_m\n3,,exclude,,,\n5,,accept,-0.01,0.005,\n7,,accept,,,0.04\n' >decisions.csv
     $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out decided.csv --align --decisions decisions.csv --sheet decided.png
     … points of 1 clouds; 39 of 40 scenes have heights, 1 are excluded by decision
     …
     40 scenes with … known heights written to decided.csv
 
-An excluded scene keeps its row without heights. An offset is at most 0.2 m, a tilt 0.17 rad. The errors against heights that the scenes held
+An excluded scene keeps its row without heights. An offset is at most 0.2 m, a tilt 0.17 rad. `along_m` is a multiple
+of 0.02, at most 0.2; a file without this column is read, too. The errors against heights that the scenes held
 are those before the decisions.
 
 ## How it works
 
 - **Cells.** Under each scene, points fall into cells of 2 cm along four lines. These are the left and right track and flippers of the
   [robot file](robot.md), each as wide as the part. A cell keeps up to 48 heights as a fair sample. Memory grows with the scenes, at most
-  192 MB, and not with the cloud: 20 million points around 200 scenes in one hall took 20 s and 28 MB on two busy processors. Where
+  243 MB, and not with the cloud: 20 million points around 200 scenes in one hall took 20 s and 28 MB on two busy processors. Where
   thousands of scenes lie on a few square metres, choose runs with `--run`.
 - **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out. In a
   noisy cloud that is three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.

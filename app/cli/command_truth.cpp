@@ -27,10 +27,7 @@ Status findTruth(const TruthOptions& options)
     printText(messages, "{}", Lines(truthReport(*truth, options.find)));
     if (!options.sheet.empty())
         if (Status done = writeTruthSheet(options.sheet, *truth); !done) return done;
-    if (truth->knownHeights() == 0)
-        return fileError(
-            options.find.scenes,
-            "no bin has a known height: look at the alignment above, at --max-sd, and at --sheet");
+    if (truth->knownHeights() == 0) return fileError(options.find.scenes, noHeightsText(*truth));
     if (!options.support.empty())
         if (Status done = writeText(options.support, truthSupportCsv(*truth)); !done) return done;
     if (Status done = writeText(options.out, truthScenesCsv(*truth)); !done) return done;

@@ -18,6 +18,7 @@
 #include "app/modelling/laser_truth_report.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/key_table.h"
+#include "core/store/file_read.h"
 #include "core/store/file_write.h"
 #include "core/terrain/body_ceiling.h"
 #include "widgets/base/card.h"
@@ -29,7 +30,7 @@ namespace terratact {
 namespace {
 
 constexpr int kSaveAfter = 300;  // [ms] after the last decision
-constexpr int kButtonsInARow = 5;
+constexpr int kButtonsInARow = 6;
 constexpr int kListLetters = 44;  // width of the list
 
 /// Adds a nudge to heights and slice.
@@ -43,6 +44,12 @@ void nudgeScene(TruthView::Scene& scene, const TruthDecision& nudge)
 }
 
 }  // namespace
+
+QString TruthPage::noCellsText()
+{
+    return tr("This truth file was written by an earlier version and holds no cells of the cloud: "
+              "write it again by terratact truth --review to nudge along the way");
+}
 
 TruthPage::TruthPage(TruthFile file, QWidget* parent)
     : QWidget(parent), file_(std::move(file)), choices_(file_.truth())
@@ -110,6 +117,10 @@ void TruthPage::build()
     undo_ = button(tr("&Undo"), tr("Take the last decision back (Ctrl+Z)"), &TruthPage::undo);
     export_ = button(tr("&Export …"), tr("Write the scenes with these decisions (Ctrl+E)"),
                      &TruthPage::askForExport);
+    ahead_ = button(tr("2 cm ahead"), tr("Move the cloud ahead by 2 cm under the robot (K)"),
+                    &TruthPage::moveAhead);
+    back_ = button(tr("2 cm back"), tr("Move the cloud back by 2 cm under the robot (J)"),
+                   &TruthPage::moveBack);
     deciding_ = {
         accept_,
         exclude_,
@@ -117,15 +128,21 @@ void TruthPage::build()
         button(tr("5 mm down"), tr("Move the heights down by 5 mm (D)"), &TruthPage::heightDown),
         button(tr("front up"), tr("Tilt by 0.005 rad: higher ahead (F)"), &TruthPage::tiltUp),
         button(tr("front down"), tr("Tilt by 0.005 rad: lower ahead (G)"), &TruthPage::tiltDown),
+        ahead_,
+        back_,
         button(tr("no nudge"), tr("Take the nudge of this scene away (0)"),
                &TruthPage::resetNudge)};
     auto* buttons = new QGridLayout;
     int place = 0;
-    for (QWidget* const control :
-         std::initializer_list<QWidget*>{accept_, exclude_, undo_, export_, sides_, deciding_[2],
-                                         deciding_[3], deciding_[4], deciding_[5], deciding_[6]}) {
+    QList<QWidget*> controls{accept_, exclude_, undo_, export_, sides_, deciding_.last()};
+    for (QPushButton* const nudging : deciding_.mid(2, kButtonsInARow)) controls << nudging;
+    for (QWidget* const control : controls) {
         buttons->addWidget(control, place / kButtonsInARow, place % kButtonsInARow);
         ++place;
+    }
+    for (QPushButton* const control : {ahead_, back_}) {
+        control->setEnabled(file_.hasCells());
+        if (!file_.hasCells()) setTip(*control, noCellsText());
     }
     scene->body()->addWidget(sceneText_);
     scene->body()->addWidget(view_, 1);
@@ -162,7 +179,7 @@ void TruthPage::fitColumns()
     fit(TruthRows::Decision,
         {decisionText(nullptr), decisionText(&excluded), decisionText(&accepted)});
     fit(TruthRows::Drive, {QStringLiteral("10")});
-    const TruthDecision nudged{.offset = -0.1, .tilt = -0.1};
+    const TruthDecision nudged{.offset = -0.1, .tilt = -0.1};  // a longer one has a tip
     fit(TruthRows::Nudge, {nudgeText(&nudged)});
     sceneText_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     fit(TruthRows::Cloud, {TruthRows::tr("%1 mm").arg(format::signedNumber(-100.0, 0))});
@@ -203,8 +220,8 @@ void TruthPage::loadDecisions()
     if (!QFileInfo::exists(decisionsPath()))
         return showState(tr("Decisions are saved in %1.").arg(format::fileName(decisionsPath())));
     const auto read = readTruthDecisions(path);
-    const Status fits =
-        read ? checkTruthDecisions(file_.truth(), *read, path) : Status(read.error());
+    Status fits = read ? checkTruthDecisions(file_.truth(), *read, path) : Status(read.error());
+    if (fits) fits = checkCells(*read);
     if (fits) {
         choices_.load(*read);
         rows_->refreshAll();
@@ -250,22 +267,20 @@ void TruthPage::showScene(std::size_t row)
 void TruthPage::showCurrent()
 {
     const LaserTruth& truth = file_.truth();
-    const SceneTruth& found = truth.truths[row_];
+    SceneTruth found = truth.truths[row_];
     const TruthDecision* const decision = choices_.decision(row_);
     const auto& readings = truth.tracks[row_].s;
     const auto& f = readings.flippers;
     TruthView::Scene shown{.outline = robotOutline(truth.robot, readings.pitch, 0.5 * (f[0] + f[1]),
                                                    0.5 * (f[2] + f[3])),
                            .slice = {},
-                           .side = found.side,
                            .isPlane = truth.isPlane,
                            .isExcluded = decision && decision->kind == TruthDecision::Kind::Exclude,
-                           .gap = gapText(found.gap)};
+                           .gap = {}};
+    const Status seen = findScene(found, shown.slice, decision);
+    shown.gap = seen ? gapText(found.gap) : translated(seen.error().message);
+    shown.side = found.side;
     if (truth.isPlane) shown.side[0] = found.plane;
-    if (auto slice = file_.slice(row_))
-        shown.slice = *std::move(slice);
-    else
-        shown.gap = translated(slice.error().message);
     if (decision) nudgeScene(shown, *decision);
     view_->setScene(std::move(shown));
     const QString nudge = nudgeText(decision);
@@ -273,7 +288,7 @@ void TruthPage::showCurrent()
         tr("Scene %1 of %2").arg(row_ + 1).arg(truth.scenes()),
         tr("drive %1 at %2 s")
             .arg(format::shownName(truth.runOf(row_)), format::number(truth.timeOf(row_), 1)),
-        tr("%1 bins known").arg(rows_->known(row_))};
+        tr("%1 bins known").arg(TruthRows::known(found, truth.isPlane))};
     if (found.contact)
         parts << tr("cloud %1 mm from the robot")
                      .arg(format::signedNumber(-1000.0 * found.contact->offset, 0));
@@ -282,6 +297,35 @@ void TruthPage::showCurrent()
     sceneText_->setText(parts.join(QStringLiteral(" · ")));
     view_->setAccessibleDescription(sceneText_->text());
     undo_->setEnabled(choices_.canUndo());
+}
+
+Status TruthPage::findScene(SceneTruth& found, std::vector<SlicePoint>& slice,
+                            const TruthDecision* decision)
+{
+    if (!decision || decision->cellsAlong() == 0 || !found.hasPlace()) {
+        auto stored = file_.slice(row_);
+        if (!stored) return stored.error();
+        slice = *std::move(stored);
+        return Done{};
+    }
+    auto grid = file_.grid(row_);
+    if (!grid) return grid.error();
+    sampleAlong(found, file_.truth(), *grid, 0, *decision);
+    slice = truthSlice(*grid, file_.truth().robot, 0, found.correction);
+    return Done{};
+}
+
+Status TruthPage::checkCells(const std::vector<TruthDecision>& decisions) const
+{
+    for (const TruthDecision& decision : decisions)
+        if (decision.cellsAlong() != 0 && !file_.hasCells())
+            return fileError(
+                decisionsPath().toStdString(),
+                Message(TR_NOOP("core", "line %1: along_m moves the cloud, but the truth file was "
+                                        "written by an earlier version and holds no cells of it: "
+                                        "write it again by terratact truth --review"),
+                        decision.line));
+    return Done{};
 }
 
 void TruthPage::decided(bool goesOn)
@@ -313,8 +357,26 @@ void TruthPage::exclude()
 void TruthPage::nudge(double offset, double tilt)
 {
     if (!mayDecide_) return;
-    choices_.nudge(row_, offset, tilt);
+    choices_.nudge(row_, offset, tilt, 0.0);
     decided(false);
+}
+
+void TruthPage::nudgeAlong(double along)
+{
+    if (!mayDecide_) return;
+    if (!file_.hasCells()) return showState(noCellsText());
+    choices_.nudge(row_, 0.0, 0.0, along);
+    decided(false);
+}
+
+void TruthPage::moveAhead()
+{
+    nudgeAlong(kAlongStep);
+}
+
+void TruthPage::moveBack()
+{
+    nudgeAlong(-kAlongStep);
 }
 
 void TruthPage::heightUp()
@@ -377,7 +439,8 @@ void TruthPage::exportTo(const QString& path)
     if (QFileInfo::exists(path))
         return showState(tr("%1 exists already: choose another name.").arg(format::fileName(path)));
     LaserTruth decided = file_.truth();
-    Status done = applyTruthDecisions(decided, choices_.decisions(), decisionsPath().toStdString());
+    Status done = applyTruthDecisions(decided, choices_.decisions(), decisionsPath().toStdString(),
+                                      [this](std::size_t row) { return file_.grid(row); });
     if (done) done = writeFileAtomically(path.toStdString(), truthScenesCsv(decided));
     showState(done ? tr("%1 known heights written to %2.")
                          .arg(decided.knownHeights())
@@ -418,6 +481,10 @@ void TruthPage::addKeys(KeyTable& keys)
         {Qt::Key_F}, tr("tilt: higher ahead"), [this] { tiltUp(); }, true);
     add(
         {Qt::Key_G}, tr("tilt: lower ahead"), [this] { tiltDown(); }, true);
+    add(
+        {Qt::Key_K}, tr("cloud ahead by 2 cm"), [this] { moveAhead(); }, true);
+    add(
+        {Qt::Key_J}, tr("cloud back by 2 cm"), [this] { moveBack(); }, true);
     add({Qt::Key_0}, tr("no nudge"), [this] { resetNudge(); });
     add({QKeyCombination(Qt::CTRL, Qt::Key_Z)}, tr("undo the last decision"), [this] { undo(); });
     add({QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("write the scenes with these decisions"),

@@ -35,8 +35,9 @@ public:
     void exportTo(const QString& path);
     void save();  ///< the decisions, if there are new ones
 
-    static constexpr double kHeightStep = 0.005;  ///< [m]
-    static constexpr double kTiltStep = 0.005;    ///< [rad]
+    static constexpr double kHeightStep = 0.005;      ///< [m]
+    static constexpr double kTiltStep = 0.005;        ///< [rad]
+    static constexpr double kAlongStep = kTruthCell;  ///< [m]
 
     QString decisionsPath() const;
     const TruthChoices& choices() const { return choices_; }
@@ -44,6 +45,8 @@ public:
     TruthView* view() const { return view_; }
     QPushButton* acceptButton() const { return accept_; }
     QPushButton* excludeButton() const { return exclude_; }
+    QPushButton* aheadButton() const { return ahead_; }
+    QPushButton* backButton() const { return back_; }
     QPushButton* undoButton() const { return undo_; }
     QPushButton* exportButton() const { return export_; }
     QComboBox* sidesChoice() const { return sides_; }
@@ -63,10 +66,18 @@ private:
     void accept();
     void exclude();
     void nudge(double offset, double tilt);
+    void nudgeAlong(double along);
     void heightUp();
     void heightDown();
     void tiltUp();
     void tiltDown();
+    void moveAhead();
+    void moveBack();
+    static QString noCellsText();
+    /// Reads the slice of the current scene; after a nudge along, heights and slice are sampled again.
+    Status findScene(SceneTruth& found, std::vector<SlicePoint>& slice,
+                     const TruthDecision* decision);
+    Status checkCells(const std::vector<TruthDecision>& decisions) const;
     void resetNudge();
     void undo();
     void askForExport();
@@ -91,6 +102,8 @@ private:
     QComboBox* sides_ = nullptr;
     QPushButton* accept_ = nullptr;
     QPushButton* exclude_ = nullptr;
+    QPushButton* ahead_ = nullptr;
+    QPushButton* back_ = nullptr;
     QPushButton* undo_ = nullptr;
     QPushButton* export_ = nullptr;
     QList<QPushButton*> deciding_;  ///< off while mayDecide_ is false

@@ -28,6 +28,9 @@ QString nudgeText(const TruthDecision* decision)
     if (decision->offset != 0.0)
         parts << TruthRows::tr("%1 mm").arg(format::signedNumber(1000.0 * decision->offset, 0));
     if (decision->tilt != 0.0) parts << format::angle(decision->tilt, 1);
+    if (decision->along != 0.0)
+        parts
+            << TruthRows::tr("%1 mm along").arg(format::signedNumber(1000.0 * decision->along, 0));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -54,14 +57,13 @@ void TruthRows::refreshAll()
     emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
-int TruthRows::known(std::size_t row) const
+int TruthRows::known(const SceneTruth& scene, bool isPlane)
 {
-    const SceneTruth& scene = truth_.truths[row];
     const auto count = [](const SideTruth& bins) {
         return static_cast<int>(std::ranges::count_if(
             bins, [](const BinTruth& bin) { return bin.height.has_value(); }));
     };
-    return truth_.isPlane ? count(scene.plane) : count(scene.side[0]) + count(scene.side[1]);
+    return isPlane ? count(scene.plane) : count(scene.side[0]) + count(scene.side[1]);
 }
 
 int TruthRows::rowCount(const QModelIndex& parent) const
@@ -115,7 +117,7 @@ QString TruthRows::text(std::size_t row, int column) const
         return scene.contact
                  ? tr("%1 mm").arg(format::signedNumber(-1000.0 * scene.contact->offset, 0))
                  : format::kNothing;
-    case Known: return QString::number(known(row));
+    case Known: return QString::number(known(scene, truth_.isPlane));
     case Nudge: return nudgeText(decision);
     default: return {};
     }

@@ -8,7 +8,7 @@ namespace terratact {
 
 /// Returns why a scene has no heights, in the operator's language; empty: it has.
 QString gapText(TruthGap gap);
-/// Returns a nudge: "+5 mm, +0.3°"; empty: none.
+/// Returns a nudge: "+5 mm, +0.3°, +20 mm along"; empty: none.
 QString nudgeText(const TruthDecision* decision);
 /// Returns a decision: "accepted", "excluded" or "open".
 QString decisionText(const TruthDecision* decision);
@@ -23,7 +23,7 @@ public:
 
     void refresh(std::size_t row);  ///< after a decision
     void refreshAll();
-    int known(std::size_t row) const;  ///< bins with heights
+    static int known(const SceneTruth& scene, bool isPlane);  ///< bins with heights
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "app/modelling/truth_sampling.h"
 #include "app/modelling/truth_scenes.h"
 #include "core/base/text.h"
 #include "core/clouds/cloud_messages.h"
@@ -242,7 +243,7 @@ private:
         }
         if (const std::string& text = (*cloud)->remark(); !text.empty())
             truth_.remarks.push_back(file + ": " + text);
-        return count(file, (*cloud)->points(), (*cloud)->leftOut());
+        return count(file, 1, (*cloud)->points(), (*cloud)->leftOut());
     }
 
     void addMap(const std::vector<CloudPoint>& points)
@@ -252,8 +253,10 @@ private:
     }
 
     /// Counts the points of a file; refuses one whose points cannot be used.
-    Status count(const std::string& file, std::uint64_t points, std::uint64_t leftOut)
+    Status count(const std::string& file, std::size_t clouds, std::uint64_t points,
+                 std::uint64_t leftOut)
     {
+        truth_.clouds += clouds;
         truth_.points += points;
         truth_.leftOut += leftOut;
         if (leftOut < points) return Done{};
@@ -308,7 +311,8 @@ private:
             return true;
         });
         if (!read) return read.error();
-        if (Status some = count(file, read->points, read->leftOut); !some) return some;
+        if (Status some = count(file, read->clouds, read->points, read->leftOut); !some)
+            return some;
         for (const std::string& remark : read->remarks)
             truth_.remarks.push_back(fmt::format("{}: {}", file, remark));
         if (without > 0 && without == read->clouds)
@@ -346,48 +350,36 @@ private:
             for (const std::size_t place : a.off)
                 truth_.truths[truth_.grid->places()[place].row].gap = TruthGap::OffCloud;
         }
+        truth_.rule = rule;
         for (std::size_t row = 0; row < truth_.scenes(); ++row) {
-            if (truth_.truths[row].gap == TruthGap::None) findSides(truth_.truths[row], rule);
-            store(row);
+            if (truth_.truths[row].gap == TruthGap::None) findSides(truth_.truths[row]);
+            compare(row);
+            putTruth(truth_, row);
         }
         truth_.under.finish();
         truth_.ahead.finish();
     }
 
-    void findSides(SceneTruth& scene, const TruthRule& rule)
+    void findSides(SceneTruth& scene)
     {
         if (options_.align && truth_.alignment)
             scene.correction = truth_.alignment->at(truth_.grid->places()[scene.place].heading);
-        bool any = false;
-        for (const Side side : {Side::Left, Side::Right}) {
-            SideTruth& found = scene.side.at(indexOf(side));
-            found =
-                sideTruth(*truth_.grid, truth_.robot, scene.place, side, scene.correction, rule);
-            for (const BinTruth& bin : found) any = any || bin.height;
-        }
-        scene.plane = planeTruth(scene.side[0], scene.side[1], rule);
-        if (!any) scene.gap = TruthGap::NoCloud;
+        sampleTruth(scene, truth_.robot, *truth_.grid, scene.place, truth_.rule);
     }
 
-    /// Puts the heights into the scene, and compares them with those that it had.
-    void store(std::size_t row)
+    /// Compares the heights of a row with those that its scene has in the file.
+    void compare(std::size_t row)
     {
         const SceneTruth& scene = truth_.truths[row];
-        const auto exchange = [&](OptionalHeights& heights, OptionalHeights& sd,
-                                  const SideTruth& found) {
-            for (std::size_t i = 0; i < kBins; ++i) {
-                sd.at(i) = found.at(i).height ? std::optional(found.at(i).sd) : std::nullopt;
-                const auto before = std::exchange(heights.at(i), found.at(i).height);
-                if (before && found.at(i).height)
+        const auto add = [&](const OptionalHeights& before, const SideTruth& found) {
+            for (std::size_t i = 0; i < kBins; ++i)
+                if (before.at(i) && found.at(i).height)
                     (static_cast<int>(i) < kFirstFlipperBin ? truth_.under : truth_.ahead)
-                        .add(*found.at(i).height - *before, found.at(i).sd);
-            }
+                        .add(*found.at(i).height - *before.at(i), found.at(i).sd);
         };
-        if (truth_.isPlane)
-            return exchange(truth_.plane[row].truth, truth_.plane[row].truthSd, scene.plane);
+        if (truth_.isPlane) return add(truth_.plane[row].truth, scene.plane);
         for (const std::size_t side : {0U, 1U})
-            exchange(truth_.tracks[row].truth.at(side), truth_.tracks[row].truthSd.at(side),
-                     scene.side.at(side));
+            add(truth_.tracks[row].truth.at(side), scene.side.at(side));
     }
 
     const LaserTruthOptions& options_;

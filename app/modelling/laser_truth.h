@@ -57,6 +57,8 @@ struct SceneTruth {
     std::optional<CloudCorrection> contact;  ///< that would let the robot rest on the cloud
     std::array<SideTruth, 2> side{};         ///< left, right
     SideTruth plane{};                       ///< of a file of one plane
+
+    bool hasPlace() const { return gap != TruthGap::OtherRun && gap != TruthGap::NoPose; }
 };
 
 struct LaserTruth {
@@ -69,7 +71,9 @@ struct LaserTruth {
     std::vector<DriveLines> drives{};
     std::vector<SceneTruth> truths{};
     std::optional<SceneGrid> grid{};
+    TruthRule rule{};  ///< with the sd of the place
     std::optional<CloudAlignment> alignment{};
+    std::size_t clouds = 0;                 ///< files, or messages of a topic
     std::uint64_t points = 0, leftOut = 0;  ///< read; not finite
     TruthErrors under{}, ahead{};           ///< bins −0.3 … 0.2 m, and from 0.3 m on
     std::vector<std::string> remarks{};

@@ -60,11 +60,53 @@ std::string alignmentLines(const CloudAlignment& a, bool applied)
     return text;
 }
 
+/// Points under the tracks and flippers of all scenes.
+struct TruthSupport {
+    double perSquareMetre = 0.0;
+    double filled = 0.0;  ///< share of the cells that have a point
+};
+
+TruthSupport supportOf(const LaserTruth& truth)
+{
+    const SceneGrid& grid = *truth.grid;
+    double points = 0.0, area = 0.0, cells = 0.0, filled = 0.0;
+    for (std::size_t place = 0; place < grid.places().size(); ++place)
+        for (std::size_t i = 0; i < kTruthLines; ++i) {
+            const auto line = static_cast<TruthLine>(i);
+            for (std::size_t k = 0; k < grid.cells(); ++k) {
+                points += grid.count(place, line, k);
+                filled += grid.count(place, line, k) > 0 ? 1.0 : 0.0;
+                area += kTruthCell * 2.0 * lineHalfWidth(truth.robot, line);
+                ++cells;
+            }
+        }
+    return {points / area, filled / cells};
+}
+
 }  // namespace
+
+std::string noHeightsText(const LaserTruth& truth)
+{
+    constexpr double kEnoughFilled = 0.6;  // three of the five cells of a bin
+    const TruthSupport support = supportOf(truth);
+    if (support.filled < kEnoughFilled)
+        return fmt::format(
+            "no bin has a known height: {:.0f} points lie on a square metre under the scenes, and "
+            "{:.0f} % of the cells of {:.0f} cm have one; a bin needs three of five: take a denser "
+            "cloud or more scans, and look at --sheet",
+            support.perSquareMetre, 1e2 * support.filled, 1e2 * kTruthCell);
+    if (truth.rule.placeSd > truth.rule.maxSd)
+        return fmt::format(
+            "no bin has a known height: the height between robot and cloud has an sd of {:.0f} mm, "
+            "and --max-sd allows {:.0f}: look at the alignment above, correct the poses, or give "
+            "--align",
+            1e3 * truth.rule.placeSd, 1e3 * truth.rule.maxSd);
+    return "no bin has a known height: look at the alignment above, at --max-sd, and at --sheet";
+}
 
 std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& options)
 {
-    std::string text = fmt::format("{} points of {} clouds", truth.points, options.clouds.size());
+    std::string text = fmt::format("{} points of {} clouds", truth.points, truth.clouds);
     if (truth.grid->ownPoints() > 0)
         text += fmt::format(", {} of them the robot's own", truth.grid->ownPoints());
     text +=

@@ -10,6 +10,10 @@ namespace terratact {
 /// tilt between cloud and robot. Errors are against heights that the file held before.
 std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& options);
 
+/// Returns why no bin has a known height, and what to do: the cloud is too sparse under the scenes, the height between
+/// robot and cloud is not known well enough, or another reason.
+std::string noHeightsText(const LaserTruth& truth);
+
 /// Returns a CSV with a row for each bin of a scene with a pose:
 ///   run, t_s, side (left, right or both), bin_m, height_m, sd_m, points, cells
 /// height_m and sd_m are empty where the cloud does not know.

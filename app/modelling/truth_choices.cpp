@@ -15,7 +15,7 @@ double nudgedBy(double value, double by, double most)
 
 bool isSame(const TruthDecision& a, const TruthDecision& b)
 {
-    return a.kind == b.kind && a.offset == b.offset && a.tilt == b.tilt;
+    return a.kind == b.kind && a.offset == b.offset && a.tilt == b.tilt && a.along == b.along;
 }
 
 }  // namespace
@@ -78,20 +78,21 @@ void TruthChoices::exclude(std::size_t row)
     change(row, to);
 }
 
-void TruthChoices::nudge(std::size_t row, double offset, double tilt)
+void TruthChoices::nudge(std::size_t row, double offset, double tilt, double along)
 {
     TruthDecision to = current(row);
     to.kind = TruthDecision::Kind::Accept;
     to.offset = nudgedBy(to.offset, offset, kMaxNudge);
     to.tilt = nudgedBy(to.tilt, tilt, kMaxNudgeTilt);
+    to.along = nudgedBy(to.along, along, kMaxNudgeAlong);
     change(row, to);
 }
 
 void TruthChoices::removeNudge(std::size_t row)
 {
     TruthDecision to = current(row);
-    if (to.offset == 0.0 && to.tilt == 0.0) return;
-    to.offset = to.tilt = 0.0;
+    if (to.offset == 0.0 && to.tilt == 0.0 && to.along == 0.0) return;
+    to.offset = to.tilt = to.along = 0.0;
     change(row, to);
 }
 

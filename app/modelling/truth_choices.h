@@ -26,7 +26,7 @@ public:
     void
     exclude(std::size_t row);  ///< keeps the nudge, which counts once the row is accepted again
     /// Moves and accepts the scene's heights; clamped to the limits of truth_decisions.h.
-    void nudge(std::size_t row, double offset, double tilt);
+    void nudge(std::size_t row, double offset, double tilt, double along);
     void removeNudge(std::size_t row);
     /// Takes the last change back and returns its row; empty: there is none.
     std::optional<std::size_t> undo();

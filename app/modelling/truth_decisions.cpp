@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/modelling/truth_sampling.h"
 #include "core/base/text.h"
 #include "core/store/csv_reader.h"
 #include "core/store/csv_text.h"
@@ -15,7 +16,10 @@
 namespace terratact {
 namespace {
 
-constexpr const char* kDecisionHeader = "row,run,decision,offset_m,tilt_rad";
+constexpr const char* kDecisionHeader = "row,run,decision,offset_m,tilt_rad,along_m";
+constexpr const char* kOlderHeader = "row,run,decision,offset_m,tilt_rad";
+
+constexpr double kCellSlack = 1e-6;  // [m] of a number of cells
 
 Result<double> nudgeOf(CsvReader& csv, std::size_t field, const char* what, double most)
 {
@@ -48,6 +52,14 @@ Result<TruthDecision> decisionOf(CsvReader& csv)
     if (!tilt) return tilt.error();
     decision.offset = *offset;
     decision.tilt = *tilt;
+    if (csv.fields().size() < 6) return decision;
+    const auto along = nudgeOf(csv, 5, "along_m", kMaxNudgeAlong);
+    if (!along) return along.error();
+    decision.along = *along;
+    if (std::abs(decision.cellsAlong() * kTruthCell - *along) > kCellSlack)
+        return csv.error(Message(
+            TR_NOOP("core", "along_m is %1, expected a multiple of %2: the cells of the cloud"),
+            *along, kTruthCell));
     return decision;
 }
 
@@ -75,20 +87,40 @@ void changeHeights(LaserTruth& truth, std::size_t row, const Change& change)
     }
 }
 
-void applyDecision(LaserTruth& truth, const TruthDecision& decision)
+/// Moves the cloud of a scene along the way and samples its heights again.
+Status moveAlong(LaserTruth& truth, const TruthDecision& decision, const CellsOfRow& cells)
+{
+    const std::size_t row = decision.row - 1;
+    SceneTruth& scene = truth.truths[row];
+    if (!scene.hasPlace()) return Done{};
+    if (truth.grid) {
+        sampleAlong(scene, truth, *truth.grid, scene.place, decision);
+    } else {
+        auto own = cells(row);
+        if (!own) return own.error();
+        sampleAlong(scene, truth, *own, 0, decision);
+    }
+    putTruth(truth, row);
+    return Done{};
+}
+
+Status applyDecision(LaserTruth& truth, const TruthDecision& decision, const CellsOfRow& cells)
 {
     const std::size_t row = decision.row - 1;
     SceneTruth& scene = truth.truths[row];
     if (decision.kind == TruthDecision::Kind::Exclude) {
         changeHeights(truth, row, [](std::size_t) { return std::optional<double>(); });
         if (scene.gap == TruthGap::None) scene.gap = TruthGap::Excluded;
-        return;
+        return Done{};
     }
+    if (decision.cellsAlong() != 0)
+        if (Status moved = moveAlong(truth, decision, cells); !moved) return moved;
     changeHeights(truth, row, [&](std::size_t bin) {
         return std::optional(decision.nudgeAt(binCentre(static_cast<int>(bin))));
     });
     scene.correction.offset += decision.offset;
     scene.correction.tiltX += std::tan(decision.tilt);
+    return Done{};
 }
 
 }  // namespace
@@ -98,9 +130,12 @@ Result<std::vector<TruthDecision>> readTruthDecisions(const std::string& path)
     auto csv = CsvReader::open(path);
     if (!csv) return csv.error();
     if (const auto header = csv->next(); !header) return header.error();
-    if (fmt::format("{}", fmt::join(csv->fields(), ",")) != kDecisionHeader)
+    const std::string header = fmt::format("{}", fmt::join(csv->fields(), ","));
+    if (header != kDecisionHeader && header != kOlderHeader)
         return csv->error(Message(TR_NOOP("core", "is not the header %1"), kDecisionHeader));
-    csv->useAsHeader({"", "", "", "m", "rad"});
+    std::vector<std::string> columnUnits{"", "", "", "m", "rad"};
+    if (header == kDecisionHeader) columnUnits.emplace_back("m");
+    csv->useAsHeader(columnUnits);
     std::vector<TruthDecision> decisions;
     std::set<std::size_t> rows;
     for (;;) {
@@ -122,13 +157,26 @@ double TruthDecision::nudgeAt(double x) const
     return offset + std::tan(tilt) * x;
 }
 
+int TruthDecision::cellsAlong() const
+{
+    return static_cast<int>(std::lround(along / kTruthCell));
+}
+
+void sampleAlong(SceneTruth& scene, const LaserTruth& truth, SceneGrid& grid, std::size_t place,
+                 const TruthDecision& decision)
+{
+    if (!scene.hasPlace() || scene.gap == TruthGap::OffCloud) return;
+    grid.moveAlong(place, decision.cellsAlong());
+    sampleTruth(scene, truth.robot, grid, place, truth.rule);
+}
+
 std::string truthDecisionsCsv(const std::vector<TruthDecision>& decisions)
 {
     std::string text = std::string(kDecisionHeader) + '\n';
     for (const TruthDecision& d : decisions)
         text += csvLine({static_cast<double>(d.row), d.run,
                          d.kind == TruthDecision::Kind::Accept ? "accept" : "exclude", d.offset,
-                         d.tilt});
+                         d.tilt, d.along});
     return text;
 }
 
@@ -152,10 +200,11 @@ Status checkTruthDecisions(const LaserTruth& truth, const std::vector<TruthDecis
 }
 
 Status applyTruthDecisions(LaserTruth& truth, const std::vector<TruthDecision>& decisions,
-                           const std::string& path)
+                           const std::string& path, const CellsOfRow& cells)
 {
     if (Status fits = checkTruthDecisions(truth, decisions, path); !fits) return fits;
-    for (const TruthDecision& decision : decisions) applyDecision(truth, decision);
+    for (const TruthDecision& decision : decisions)
+        if (Status done = applyDecision(truth, decision, cells); !done) return done;
     return Done{};
 }
 

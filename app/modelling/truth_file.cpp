@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/modelling/truth_cells.h"
 #include "core/base/named.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
@@ -20,11 +21,14 @@
 namespace terratact {
 namespace {
 
-constexpr std::int64_t kTruthVersion = 1;
+constexpr std::int64_t kTruthVersion = 2;
 constexpr std::uintmax_t kMaxTruthBytes = std::uintmax_t{1} << 30U;
 constexpr std::size_t kMaxTruthRobotBytes = std::size_t{64} * 1024;
 constexpr double kMillimetre = 1e-3;
 constexpr std::size_t kMaxSlicePoints = 40'000;
+constexpr double kMaxRule = 100.0;      // of a percentile and of every sd [m]
+constexpr double kMaxCorrection = 1e3;  // [m], slope
+constexpr double kMaxRoll = 3.2;        // [rad]
 
 static_assert(std::endian::native == std::endian::little,
               "slices are stored as they lie in memory");
@@ -32,7 +36,7 @@ static_assert(std::endian::native == std::endian::little,
 constexpr auto kGapNames =
     namesOf<TruthGap>("none", "other run", "no pose", "off cloud", "no cloud", "excluded");
 
-/// A point as it is stored [mm].
+/// A point as the first version stores it [mm].
 struct StoredPoint {
     std::int16_t line = 0, x = 0, z = 0;
 };
@@ -49,28 +53,31 @@ void requireTruth(bool holds, const Message& cause)
     if (!holds) throw TruthRefused{cause};
 }
 
+constexpr const char* kMetaTable =
+    "CREATE TABLE meta(key TEXT NOT NULL, value TEXT NOT NULL) STRICT";
+
 const std::vector<SqliteTable>& truthSchema()
 {
     static const std::vector<SqliteTable> tables{
-        {"meta", "CREATE TABLE meta(key TEXT NOT NULL, value TEXT NOT NULL) STRICT"},
+        {"meta", kMetaTable},
+        {"rule", "CREATE TABLE rule(percentile REAL NOT NULL, max_sd_m REAL NOT NULL, "
+                 "own_margin_m REAL NOT NULL, place_sd_m REAL NOT NULL) STRICT"},
+        {"scene",
+         "CREATE TABLE scene(number INTEGER PRIMARY KEY, csv TEXT NOT NULL, gap TEXT NOT NULL, "
+         "cloud_m REAL, roll_rad REAL NOT NULL, offset_m REAL NOT NULL, tilt_x REAL NOT NULL, "
+         "tilt_y REAL NOT NULL, cells BLOB NOT NULL) STRICT"}};
+    return tables;
+}
+
+/// Tables of the first version.
+const std::vector<SqliteTable>& firstTruthSchema()
+{
+    static const std::vector<SqliteTable> tables{
+        {"meta", kMetaTable},
         {"scene",
          "CREATE TABLE scene(number INTEGER PRIMARY KEY, csv TEXT NOT NULL, gap TEXT NOT NULL, "
          "cloud_m REAL, slice BLOB NOT NULL) STRICT"}};
     return tables;
-}
-
-std::string storedSlice(const std::vector<SlicePoint>& slice)
-{
-    std::vector<StoredPoint> points;
-    points.reserve(slice.size());
-    const auto stored = [](double metres) {
-        return static_cast<std::int16_t>(std::lround(metres / kMillimetre));
-    };
-    for (const SlicePoint& p : slice)
-        points.push_back({static_cast<std::int16_t>(p.line), stored(p.x), stored(p.z)});
-    std::string bytes(points.size() * sizeof(StoredPoint), '\0');
-    if (!points.empty()) std::memcpy(bytes.data(), points.data(), bytes.size());
-    return bytes;
 }
 
 std::vector<SlicePoint> sliceOf(const std::string& bytes)
@@ -100,7 +107,7 @@ void insertMeta(SqliteFile& file, const char* key, const std::string& value)
 
 void insertScenes(SqliteFile& file, const LaserTruth& truth)
 {
-    SqliteStatement row = file.prepare("INSERT INTO scene VALUES(?, ?, ?, ?, ?)");
+    SqliteStatement row = file.prepare("INSERT INTO scene VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < truth.scenes(); ++i) {
         const SceneTruth& scene = truth.truths[i];
         row.bind(0, static_cast<std::int64_t>(i + 1));
@@ -111,9 +118,24 @@ void insertScenes(SqliteFile& file, const LaserTruth& truth)
             row.bind(3, -scene.contact->offset);
         else
             row.bind(3, nullptr);
-        row.bindBlob(4, storedSlice(truthSlice(truth, i)));
+        const bool hasCells = truth.grid && scene.hasPlace();
+        row.bind(4, hasCells ? truth.grid->places()[scene.place].s.roll : truth.tracks[i].s.roll);
+        row.bind(5, scene.correction.offset);
+        row.bind(6, scene.correction.tiltX);
+        row.bind(7, scene.correction.tiltY);
+        row.bindBlob(8, hasCells ? storedCells(truth.grid->cellsOf(scene.place)) : std::string());
         row.run();
     }
+}
+
+void insertRule(SqliteFile& file, const TruthRule& rule)
+{
+    SqliteStatement row = file.prepare("INSERT INTO rule VALUES(?, ?, ?, ?)");
+    row.bind(0, rule.percentile);
+    row.bind(1, rule.maxSd);
+    row.bind(2, rule.ownMargin);
+    row.bind(3, rule.placeSd);
+    row.run();
 }
 
 void fillTruthFile(const std::string& path, const LaserTruth& truth, const std::string& robot)
@@ -126,6 +148,7 @@ void fillTruthFile(const std::string& path, const LaserTruth& truth, const std::
     file.run("BEGIN");
     insertMeta(file, "robot", robot);
     insertMeta(file, "kind", truth.isPlane ? "plane" : "tracks");
+    insertRule(file, truth.rule);
     insertScenes(file, truth);
     file.run("COMMIT");
     file.close();
@@ -239,11 +262,12 @@ void TruthFile::read()
 {
     requireTruth(file_->integer("PRAGMA application_id") == kTruthApplicationId,
                  TR_NOOP("core", "is not a truth file: terratact truth --review writes one"));
+    version_ = file_->integer("PRAGMA user_version");
     requireTruth(
-        file_->integer("PRAGMA user_version") == kTruthVersion,
+        version_ == kTruthVersion || version_ == 1,
         TR_NOOP("core",
                 "is a truth file of another version: write it again by terratact truth --review"));
-    requireTruth(hasOnlyTables(*file_, truthSchema()),
+    requireTruth(hasOnlyTables(*file_, hasCells() ? truthSchema() : firstTruthSchema()),
                  TR_NOOP("core", "is a damaged truth file: write it again"));
     std::map<std::string, std::string> meta;
     SqliteStatement row = file_->prepare("SELECT key, value FROM meta");
@@ -256,6 +280,38 @@ void TruthFile::read()
     truth_.isPlane = meta["kind"] == "plane";
     file_->grantSteps();
     readTruthScenes(*file_, truth_);
+    if (!hasCells()) return;
+    readRule();
+    readCorrections();
+}
+
+void TruthFile::readRule()
+{
+    SqliteStatement row =
+        file_->prepare("SELECT percentile, max_sd_m, own_margin_m, place_sd_m FROM rule");
+    requireTruth(row.step(), TR_NOOP("core", "is a damaged truth file: write it again"));
+    const auto number = [&](int column) {
+        const double value = row.real(column);
+        requireTruth(std::isfinite(value) && value >= 0.0 && value <= kMaxRule,
+                     TR_NOOP("core", "is a damaged truth file: write it again"));
+        return value;
+    };
+    truth_.rule = {
+        .percentile = number(0), .maxSd = number(1), .ownMargin = number(2), .placeSd = number(3)};
+}
+
+void TruthFile::readCorrections()
+{
+    SqliteStatement row =
+        file_->prepare("SELECT offset_m, tilt_x, tilt_y FROM scene ORDER BY number");
+    for (SceneTruth& scene : truth_.truths) {
+        requireTruth(row.step(), TR_NOOP("core", "is a damaged truth file: write it again"));
+        scene.correction = {row.real(0), row.real(1), row.real(2)};
+        for (const double value :
+             {scene.correction.offset, scene.correction.tiltX, scene.correction.tiltY})
+            requireTruth(std::abs(value) <= kMaxCorrection,
+                         TR_NOOP("core", "is a damaged truth file: write it again"));
+    }
 }
 
 Result<TruthFile> TruthFile::open(const std::string& path)
@@ -275,20 +331,55 @@ Result<TruthFile> TruthFile::open(const std::string& path)
 Result<std::vector<SlicePoint>> TruthFile::slice(std::size_t row)
 {
     std::vector<SlicePoint> slice;
-    if (Status done = onTruthFile(
-            path_,
-            [&] {
-                file_->grantSteps();
-                SqliteStatement found = file_->prepare("SELECT slice FROM scene WHERE number = ?");
-                found.bind(0, static_cast<std::int64_t>(row + 1));
-                requireTruth(
-                    found.step(),
-                    {TR_NOOP("core", "scene %1 is missing: write the file again"), row + 1});
-                slice = sliceOf(found.blob(0));
-            });
-        !done)
-        return done.error();
+    const auto read = [&] {
+        if (!hasCells())
+            slice = storedSlice(row);
+        else if (row >= truth_.scenes() || truth_.truths[row].hasPlace()) {
+            const SceneGrid grid = gridOf(row);
+            slice = truthSlice(grid, truth_.robot, 0, truth_.truths[row].correction);
+        }
+    };
+    if (Status done = onTruthFile(path_, read); !done) return done.error();
     return slice;
+}
+
+std::vector<SlicePoint> TruthFile::storedSlice(std::size_t row)
+{
+    file_->grantSteps();
+    SqliteStatement found = file_->prepare("SELECT slice FROM scene WHERE number = ?");
+    found.bind(0, static_cast<std::int64_t>(row + 1));
+    requireTruth(found.step(),
+                 {TR_NOOP("core", "scene %1 is missing: write the file again"), row + 1});
+    return sliceOf(found.blob(0));
+}
+
+SceneGrid TruthFile::gridOf(std::size_t row)
+{
+    requireTruth(hasCells(), TR_NOOP("core", "was written by an earlier version and holds no cells "
+                                             "of the cloud: write it again by terratact truth "
+                                             "--review to nudge along the way"));
+    file_->grantSteps();
+    SqliteStatement found = file_->prepare("SELECT roll_rad, cells FROM scene WHERE number = ?");
+    found.bind(0, static_cast<std::int64_t>(row + 1));
+    requireTruth(found.step(),
+                 {TR_NOOP("core", "scene %1 is missing: write the file again"), row + 1});
+    const auto cells = cellsFrom(found.blob(1));
+    const Message damaged(
+        TR_NOOP("core", "the cells of scene %1 are damaged: write the file again"), row + 1);
+    requireTruth(cells.has_value() && std::abs(found.real(0)) <= kMaxRoll, damaged);
+    ScenePlace place{.row = row, .s = truth_.tracks.at(row).s};
+    place.s.roll = found.real(0);
+    auto grid = SceneGrid::restored(truth_.robot, std::move(place), *cells);
+    requireTruth(static_cast<bool>(grid), damaged);
+    return *std::move(grid);
+}
+
+Result<SceneGrid> TruthFile::grid(std::size_t row)
+{
+    std::optional<SceneGrid> grid;
+    if (Status done = onTruthFile(path_, [&] { grid.emplace(gridOf(row)); }); !done)
+        return done.error();
+    return *std::move(grid);
 }
 
 }  // namespace terratact

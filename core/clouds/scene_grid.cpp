@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSmallSquare = 0.25, kLargeSquare = 1.0;  // [m]
 constexpr double kOwnMargin = 0.03;                        // [m] around the robot's box
-constexpr double kShortestHalf = 0.75;                     // [m] the front end of the bins
+constexpr double kShortestHalf =
+    0.75 + kMaxCellsMoved * kTruthCell;  // [m] the front end of the bins, with a moved cloud
 constexpr double kLongestHalf = 1.55;
 
 std::int64_t squareOf(double x, double y, double size)
@@ -99,6 +100,7 @@ SceneGrid::SceneGrid(const RobotModel& robot, std::vector<ScenePlace> places, st
         }
     }
     reach_ = std::hypot(begin_, widest);
+    moved_.assign(places_.size(), 0);
     turns_.reserve(places_.size());
     for (std::size_t p = 0; p < places_.size(); ++p) {
         turns_.push_back({std::cos(places_[p].heading), std::sin(places_[p].heading)});
@@ -132,8 +134,60 @@ std::size_t SceneGrid::firstCellOf(int bin) const
 
 std::span<const float> SceneGrid::heights(std::size_t place, TruthLine line, std::size_t cell) const
 {
-    const std::size_t index = indexOfCell(place, line, cell);
-    return std::span(samples_).subspan(index * most_, std::min<std::size_t>(counts_[index], most_));
+    const auto index = indexOfPoints(place, line, cell);
+    if (!index) return {};
+    return std::span(samples_).subspan(*index * most_,
+                                       std::min<std::size_t>(counts_[*index], most_));
+}
+
+std::optional<std::size_t> SceneGrid::indexOfPoints(std::size_t place, TruthLine line,
+                                                    std::size_t cell) const
+{
+    const auto from = static_cast<std::ptrdiff_t>(cell) - moved_[place];
+    if (from < 0 || from >= static_cast<std::ptrdiff_t>(cells_)) return std::nullopt;
+    return indexOfCell(place, line, static_cast<std::size_t>(from));
+}
+
+PlaceCells SceneGrid::cellsOf(std::size_t place) const
+{
+    const std::size_t n = kTruthLines * cells_, first = place * n;
+    PlaceCells cells{.most = static_cast<std::uint32_t>(most_)};
+    cells.counts.assign(&counts_[first], &counts_[first] + n);
+    cells.ceilings.assign(&ceilings_[first], &ceilings_[first] + n);
+    for (std::size_t i = first; i < first + n; ++i) {
+        const float* const kept = &samples_[i * most_];
+        cells.heights.insert(cells.heights.end(), kept,
+                             kept + std::min<std::size_t>(counts_[i], most_));
+    }
+    return cells;
+}
+
+Result<SceneGrid> SceneGrid::restored(const RobotModel& robot, ScenePlace place,
+                                      const PlaceCells& cells)
+{
+    const std::size_t n = kTruthLines * cellsUnder(robot);
+    std::size_t kept = 0;
+    for (const std::uint32_t count : cells.counts) kept += std::min(count, cells.most);
+    const auto isHeight = [](float z) {
+        return static_cast<double>(z) >= kLowestTruth && static_cast<double>(z) <= kHighestTruth;
+    };
+    if (cells.most < kLeastOfCell || cells.most > kMostOfCell || cells.counts.size() != n
+        || cells.ceilings.size() != n || cells.heights.size() != kept
+        || !std::ranges::all_of(cells.heights, isHeight)
+        || std::ranges::any_of(cells.ceilings, [](float z) { return std::isnan(z); }))
+        return Error{"the cells are not those of this robot, or damaged", 0};
+    SceneGrid grid(robot, {std::move(place)}, n / kTruthLines);
+    grid.most_ = cells.most;
+    grid.counts_ = cells.counts;
+    grid.ceilings_ = cells.ceilings;
+    auto from = cells.heights.begin();
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto here = static_cast<std::ptrdiff_t>(std::min(cells.counts[i], cells.most));
+        std::copy(from, from + here,
+                  grid.samples_.begin() + static_cast<std::ptrdiff_t>(i * grid.most_));
+        from += here;
+    }
+    return grid;
 }
 
 void SceneGrid::lowerCeilings(const ScenePlace& robotAt, bool withFlippers)

@@ -17,13 +17,22 @@ inline constexpr double kTruthCell = 0.02;  ///< [m] along a line; five cells ma
 inline constexpr std::size_t kCellsOfBin = 5;
 /// Heights of the DEM frame in which points are kept [m]: the ground, not what hangs above the robot.
 inline constexpr double kLowestTruth = -1.5, kHighestTruth = 0.8;
+inline constexpr int kMaxCellsMoved = 10;  ///< 0.2 m, by which a scene's cloud may be moved along
+
+/// Cells of one place as plain values, by lines and their cells.
+struct PlaceCells {
+    std::uint32_t most = 0;               ///< heights that a cell keeps
+    std::vector<std::uint32_t> counts{};  ///< of points
+    std::vector<float> ceilings{};        ///< as SceneGrid::ceiling()
+    std::vector<float> heights{};         ///< kept heights of the cells, one cell after the other
+};
 
 /// Cells under the lines of every scene, which collect the heights of a cloud's points. Each cell
 /// keeps a sample of its heights, every point with the same probability. So memory does not grow
 /// with the cloud. The same points in the same order give the same sample.
 class SceneGrid {
 public:
-    static constexpr std::size_t kMaxSamples = 48'000'000;  ///< of all cells: 192 MB
+    static constexpr std::size_t kMaxSamples = 60'800'000;  ///< of all cells: 243 MB
     static constexpr std::size_t kMostOfCell = 48, kLeastOfCell = 8;
 
     /// passes: further poses of the drive, of which only pitch, roll and the tracks count. The robot was there, so
@@ -31,6 +40,16 @@ public:
     /// Errors: more scenes than kMaxSamples allow.
     static Result<SceneGrid> over(const RobotModel& robot, std::vector<ScenePlace> places,
                                   const std::vector<ScenePlace>& passes = {});
+
+    /// Returns the grid of a single place from its cells. It is as in the grid that they come from, before moveAlong().
+    /// Errors: cells that this robot cannot have, or heights that a grid does not keep.
+    static Result<SceneGrid> restored(const RobotModel& robot, ScenePlace place,
+                                      const PlaceCells& cells);
+    PlaceCells cellsOf(std::size_t place) const;
+
+    /// Moves the cloud under a place ahead by whole cells, or back if negative, from where it was read. The ceilings
+    /// stay with the robot. Cells beyond the end are empty then. cells: at most ±kMaxCellsMoved.
+    void moveAlong(std::size_t place, int cells) { moved_.at(place) = cells; }
 
     const std::vector<ScenePlace>& places() const { return places_; }
     std::size_t cells() const { return cells_; }  ///< of a line
@@ -68,7 +87,8 @@ public:
     /// Returns the number of points that fell into a cell.
     std::uint32_t count(std::size_t place, TruthLine line, std::size_t cell) const
     {
-        return counts_[indexOfCell(place, line, cell)];
+        const auto index = indexOfPoints(place, line, cell);
+        return index ? counts_[*index] : 0;
     }
 
 private:
@@ -81,6 +101,9 @@ private:
     {
         return (place * kTruthLines + static_cast<std::size_t>(line)) * cells_ + cell;
     }
+    /// Returns the cell whose points lie in a cell now; empty: beyond the end.
+    std::optional<std::size_t> indexOfPoints(std::size_t place, TruthLine line,
+                                             std::size_t cell) const;
     void addPoint(const Eigen::Vector3d& point);
     void index(std::size_t place, double widest);
     void addTo(std::size_t place, double x, double y, float height);
@@ -110,6 +133,7 @@ private:
     PlacesBySquare over_;    ///< places whose strips a small square may touch
     PlacesBySquare around_;  ///< places by the square metre of their IMU
     std::vector<Turn> turns_;
+    std::vector<int> moved_;  ///< cells by which the cloud of a place was moved ahead
     std::vector<float> samples_, ceilings_;
     std::vector<std::uint32_t> counts_;
     std::uint64_t own_ = 0;

@@ -5975,6 +5975,22 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the disk is full: free space on it, or name a file on another disk</source>
         <translation>disk je plný: uvolněte na něm místo, nebo zadejte soubor na jiném disku</translation>
     </message>
+    <message>
+        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and holds no cells of it: write it again by terratact truth --review</source>
+        <translation>řádek %1: along_m posouvá mračno bodů, ale soubor skutečnosti zapsala dřívější verze a nemá jeho buňky: zapište ho znovu příkazem terratact truth --review</translation>
+    </message>
+    <message>
+        <source>along_m is %1, expected a multiple of %2: the cells of the cloud</source>
+        <translation>along_m je %1, očekáván násobek %2: buňky mračna bodů</translation>
+    </message>
+    <message>
+        <source>was written by an earlier version and holds no cells of the cloud: write it again by terratact truth --review to nudge along the way</source>
+        <translation>zapsala dřívější verze a nemá buňky mračna bodů: pro posun podél cesty ho zapište znovu příkazem terratact truth --review</translation>
+    </message>
+    <message>
+        <source>the cells of scene %1 are damaged: write the file again</source>
+        <translation>buňky scény %1 jsou poškozené: zapište soubor znovu</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -12555,6 +12571,34 @@ vpředu</translation>
         <source>write the scenes with these decisions</source>
         <translation>zapsat scény s těmito rozhodnutími</translation>
     </message>
+    <message>
+        <source>This truth file was written by an earlier version and holds no cells of the cloud: write it again by terratact truth --review to nudge along the way</source>
+        <translation>Tento soubor skutečnosti zapsala dřívější verze a nemá buňky mračna bodů: pro posun podél cesty ho zapište znovu příkazem terratact truth --review</translation>
+    </message>
+    <message>
+        <source>2 cm ahead</source>
+        <translation>2 cm vpřed</translation>
+    </message>
+    <message>
+        <source>Move the cloud ahead by 2 cm under the robot (K)</source>
+        <translation>Posunout mračno bodů pod robotem o 2 cm vpřed (K)</translation>
+    </message>
+    <message>
+        <source>2 cm back</source>
+        <translation>2 cm vzad</translation>
+    </message>
+    <message>
+        <source>Move the cloud back by 2 cm under the robot (J)</source>
+        <translation>Posunout mračno bodů pod robotem o 2 cm vzad (J)</translation>
+    </message>
+    <message>
+        <source>cloud ahead by 2 cm</source>
+        <translation>mračno bodů o 2 cm vpřed</translation>
+    </message>
+    <message>
+        <source>cloud back by 2 cm</source>
+        <translation>mračno bodů o 2 cm vzad</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TruthRows</name>
@@ -12617,6 +12661,10 @@ vpředu</translation>
     <message>
         <source>nudge</source>
         <translation>posun</translation>
+    </message>
+    <message>
+        <source>%1 mm along</source>
+        <translation>%1 mm podél</translation>
     </message>
 </context>
 <context>

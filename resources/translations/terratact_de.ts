@@ -5975,6 +5975,22 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the disk is full: free space on it, or name a file on another disk</source>
         <translation>der Datenträger ist voll: Platz schaffen oder eine Datei auf einem anderen Datenträger nennen</translation>
     </message>
+    <message>
+        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and holds no cells of it: write it again by terratact truth --review</source>
+        <translation>Zeile %1: along_m verschiebt die Punktwolke, aber die Wahrheitsdatei stammt von einer früheren Version und enthält keine Zellen davon: mit terratact truth --review neu schreiben</translation>
+    </message>
+    <message>
+        <source>along_m is %1, expected a multiple of %2: the cells of the cloud</source>
+        <translation>along_m ist %1, erwartet ist ein Vielfaches von %2: die Zellen der Punktwolke</translation>
+    </message>
+    <message>
+        <source>was written by an earlier version and holds no cells of the cloud: write it again by terratact truth --review to nudge along the way</source>
+        <translation>stammt von einer früheren Version und enthält keine Zellen der Punktwolke: mit terratact truth --review neu schreiben, um längs des Weges zu verschieben</translation>
+    </message>
+    <message>
+        <source>the cells of scene %1 are damaged: write the file again</source>
+        <translation>die Zellen der Szene %1 sind beschädigt: die Datei neu schreiben</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -12554,6 +12570,34 @@ voraus</translation>
         <source>write the scenes with these decisions</source>
         <translation>die Szenen mit diesen Entscheidungen schreiben</translation>
     </message>
+    <message>
+        <source>This truth file was written by an earlier version and holds no cells of the cloud: write it again by terratact truth --review to nudge along the way</source>
+        <translation>Diese Wahrheitsdatei stammt von einer früheren Version und enthält keine Zellen der Punktwolke: mit terratact truth --review neu schreiben, um längs des Weges zu verschieben</translation>
+    </message>
+    <message>
+        <source>2 cm ahead</source>
+        <translation>2 cm vor</translation>
+    </message>
+    <message>
+        <source>Move the cloud ahead by 2 cm under the robot (K)</source>
+        <translation>Die Punktwolke unter dem Roboter um 2 cm nach vorn schieben (K)</translation>
+    </message>
+    <message>
+        <source>2 cm back</source>
+        <translation>2 cm zurück</translation>
+    </message>
+    <message>
+        <source>Move the cloud back by 2 cm under the robot (J)</source>
+        <translation>Die Punktwolke unter dem Roboter um 2 cm zurückschieben (J)</translation>
+    </message>
+    <message>
+        <source>cloud ahead by 2 cm</source>
+        <translation>Punktwolke um 2 cm nach vorn</translation>
+    </message>
+    <message>
+        <source>cloud back by 2 cm</source>
+        <translation>Punktwolke um 2 cm zurück</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TruthRows</name>
@@ -12616,6 +12660,10 @@ voraus</translation>
     <message>
         <source>nudge</source>
         <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>%1 mm along</source>
+        <translation>%1 mm längs</translation>
     </message>
 </context>
 <context>

@@ -105,5 +105,5 @@ printf '# tum\n1 0 0 0 0 0 0 1\n1.1 0.1 0 0 0 0 0.7071 0.7071\n' >"$corpora/clou
 printf 'run,t_s,x_m,y_m,z_m,qx,qy,qz,qw\na,1,2,3,4,0,0,0,1\n' >"$corpora/cloud_file/poses.csv"
 
 # truth_file.cpp: d decisions; else bytes that change rows.
-printf 'drow,run,decision,offset_m,tilt_rad\n1,a,accept,-0.01,0.005\n3,,exclude,,\n' >"$corpora/truth_file/decisions"
+printf 'drow,run,decision,offset_m,tilt_rad,along_m\n1,a,accept,-0.01,0.005,-0.04\n3,,exclude,,,\n' >"$corpora/truth_file/decisions"
 printf 'r\0\1\2\0\3abc' >"$corpora/truth_file/rows"

@@ -67,6 +67,19 @@ void promiseBins(const SideTruth& side)
     }
 }
 
+/// Samples the heights of a scene again, with a moved cloud.
+void fuzzAlong(TruthFile& opened, std::size_t row)
+{
+    if (!opened.truth().truths[row].hasPlace()) return;
+    auto grid = opened.grid(row);
+    if (!grid) return promiseRefusal(grid.error(), file().path());
+    SceneTruth scene = opened.truth().truths[row];
+    sampleAlong(scene, opened.truth(), *grid, 0, {.along = kMaxNudgeAlong});
+    for (const SideTruth& side : scene.side)
+        for (const BinTruth& bin : side)
+            promise(!bin.height || std::isfinite(*bin.height), "a height is finite");
+}
+
 void fuzzRows(FuzzBytes bytes)
 {
     const std::string& real = realTruthFile();
@@ -89,6 +102,7 @@ void fuzzRows(FuzzBytes bytes)
         }
         for (const SlicePoint& p : *slice)
             promise(std::abs(p.x) < 40.0 && std::abs(p.z) < 40.0, "a point is in its range");
+        fuzzAlong(*opened, row);
     }
 }
 
@@ -98,7 +112,8 @@ void fuzzDecisions(const std::uint8_t* data, std::size_t size)
     const auto decisions = readTruthDecisions(file().path());
     if (!decisions) return promiseRefusal(decisions.error(), file().path());
     for (const TruthDecision& d : *decisions)
-        promise(d.row > 0 && std::abs(d.offset) <= kMaxNudge && std::abs(d.tilt) <= kMaxNudgeTilt,
+        promise(d.row > 0 && std::abs(d.offset) <= kMaxNudge && std::abs(d.tilt) <= kMaxNudgeTilt
+                    && std::abs(d.along) <= kMaxNudgeAlong,
                 "a nudge is within its limits");
     const Status fit = checkTruthDecisions(realTruth(), *decisions, file().path());
     if (!fit) return promiseRefusal(fit.error(), file().path());

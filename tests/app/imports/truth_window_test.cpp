@@ -20,6 +20,7 @@
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
+#include "core/store/sqlite.h"
 #include "tests/support/gui.h"
 #include "tests/support/made_truth.h"
 #include "tests/support/temporary_directory.h"
@@ -121,6 +122,71 @@ TEST_F(TruthBench, nudgeMovesBinsAndSlice)
     EXPECT_NEAR(*page->view()->scene().side[0][10].height, height - kMaxNudge, 1e-9);
 }
 
+TEST_F(TruthBench, nudgeAlongSamplesBinsAndSliceAgain)
+{
+    open();
+    const auto stepAt = [this] {
+        double x = 9.0;
+        for (const SlicePoint& p : page->view()->scene().slice)
+            if (p.line == TruthLine::LeftFlippers && p.z > -0.15) x = std::min(x, p.x);
+        return x;
+    };
+    const double step = stepAt();
+    const SideTruth before = page->view()->scene().side[0];
+    for (int i = 0; i < 5; ++i) press(Qt::Key_J);
+    EXPECT_NEAR(stepAt(), step - 0.1, 0.005);
+    EXPECT_EQ(cell(0, TruthRows::Nudge), "−100 mm along");
+    EXPECT_EQ(page->scene(), 0U) << "a nudge stays at its scene";
+    const SideTruth moved = page->view()->scene().side[0];
+    press(Qt::Key_Z, Qt::ControlModifier);
+    press(Qt::Key_K);
+    EXPECT_EQ(cell(0, TruthRows::Nudge), "−60 mm along");
+    press(Qt::Key_0);
+    EXPECT_EQ(page->view()->scene().side[0][9].height, before[9].height);
+    for (int i = 0; i < 5; ++i) page->backButton()->click();
+    EXPECT_EQ(page->view()->scene().side[0][9].height, moved[9].height);
+    press(Qt::Key_Period);
+    for (const std::size_t bin : {0U, 5U, 9U, 10U})
+        EXPECT_NEAR(*page->view()->scene().side[0].at(bin).height, *moved.at(bin).height, 0.002)
+            << "the next scene is 0.1 m ahead; bin " << bin;
+
+    const std::string out = directory.file("moved.csv");
+    page->exportTo(QString::fromStdString(out));
+    const auto scenes = readTwoTrackScenes(out);
+    ASSERT_TRUE(scenes) << scenes.error().text;
+    EXPECT_EQ(scenes->scenes[0].truth[0][9], moved[9].height);
+    EXPECT_EQ(saved()[0].along, -0.1);
+}
+
+TEST_F(TruthBench, filesWithoutCellsSayWhyTheyCannotBeNudgedAlong)
+{
+    SqliteFile older = SqliteFile::fill(file);
+    for (const char* const sql :
+         {"ALTER TABLE scene RENAME TO newer",
+          "CREATE TABLE scene(number INTEGER PRIMARY KEY, csv TEXT NOT NULL, gap TEXT NOT NULL, "
+          "cloud_m REAL, slice BLOB NOT NULL) STRICT",
+          "INSERT INTO scene SELECT number, csv, gap, cloud_m, x'0100e80338ff' FROM newer",
+          "DROP TABLE newer", "DROP TABLE rule", "PRAGMA user_version = 1"})
+        older.run(sql);
+    older.close();
+    open();
+    EXPECT_FALSE(page->aheadButton()->isEnabled());
+    EXPECT_FALSE(page->backButton()->isEnabled());
+    press(Qt::Key_K);
+    EXPECT_TRUE(page->stateLabel()->text().contains("written by an earlier version"))
+        << page->stateLabel()->text().toStdString();
+    EXPECT_EQ(cell(0, TruthRows::Decision), "open");
+    press(Qt::Key_U);
+    EXPECT_EQ(cell(0, TruthRows::Nudge), "+5 mm") << "the other nudges act";
+    window.reset();
+    ASSERT_TRUE(writeFileAtomically(file + ".decisions.csv",
+                                    "row,run,decision,offset_m,tilt_rad,along_m\n"
+                                    "1,,accept,,,0.02\n"));
+    open();
+    EXPECT_TRUE(page->stateLabel()->text().contains("line 2: along_m moves the cloud"))
+        << page->stateLabel()->text().toStdString();
+}
+
 TEST_F(TruthBench, undoTakesDecisionsBackInOrder)
 {
     open();
@@ -193,7 +259,7 @@ TEST_F(TruthBench, keyboardReachesEveryControl)
     press(Qt::Key_U);
     page->table()->setFocus();
     std::set<const QWidget*> reached;
-    for (int i = 0; i < 24; ++i) {
+    for (int i = 0; i < 28; ++i) {
         reached.insert(QApplication::focusWidget());
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }

@@ -44,17 +44,20 @@ TEST_F(Choices, aDecisionHasItsRowAndRun)
 
 TEST_F(Choices, nudgesAddUpWithinTheirLimits)
 {
-    for (int i = 0; i < 3; ++i) choices.nudge(0, 0.005, -0.005);
+    for (int i = 0; i < 3; ++i) choices.nudge(0, 0.005, -0.005, 0.02);
     EXPECT_DOUBLE_EQ(choices.decision(0)->offset, 0.015);
     EXPECT_DOUBLE_EQ(choices.decision(0)->tilt, -0.015);
+    EXPECT_DOUBLE_EQ(choices.decision(0)->along, 0.06);
     EXPECT_EQ(choices.decision(0)->kind, Kind::Accept);
-    choices.nudge(0, 5.0, -5.0);
+    choices.nudge(0, 5.0, -5.0, -5.0);
     EXPECT_EQ(choices.decision(0)->offset, kMaxNudge);
     EXPECT_EQ(choices.decision(0)->tilt, -kMaxNudgeTilt);
+    EXPECT_EQ(choices.decision(0)->along, -kMaxNudgeAlong);
     choices.exclude(0);
     EXPECT_EQ(choices.decision(0)->offset, kMaxNudge) << "it counts again once accepted";
     choices.removeNudge(0);
     EXPECT_EQ(choices.decision(0)->offset, 0.0);
+    EXPECT_EQ(choices.decision(0)->along, 0.0);
     EXPECT_EQ(choices.decision(0)->kind, Kind::Exclude);
 }
 
@@ -65,10 +68,14 @@ TEST_F(Choices, undoGoesBackChangeByChange)
     choices.accept(0);
     choices.accept(0);  // changes nothing
     choices.removeNudge(0);
-    choices.nudge(1, 0.01, 0.0);
+    choices.nudge(1, 0.01, 0.0, 0.0);
+    choices.nudge(1, 0.0, 0.0, 0.02);
     choices.exclude(0);
     EXPECT_EQ(choices.undo(), 0U);
     EXPECT_EQ(choices.decision(0)->kind, Kind::Accept);
+    EXPECT_EQ(choices.undo(), 1U);
+    EXPECT_EQ(choices.decision(1)->along, 0.0);
+    EXPECT_EQ(choices.decision(1)->offset, 0.01);
     EXPECT_EQ(choices.undo(), 1U);
     EXPECT_EQ(choices.decision(1), nullptr);
     EXPECT_EQ(choices.undo(), 0U);

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "app/modelling/laser_truth_report.h"
+#include "app/modelling/truth_slice.h"
 #include "core/terrain/bins.h"
 #include "tests/support/absolem.h"
+#include "tests/support/made_truth.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 
@@ -73,6 +75,49 @@ TEST_F(DecisionFile, nudgeMovesHeightsAndSlice)
     }
     EXPECT_NEAR(truth.truths[0].correction.offset, 0.01, 1e-12);
     EXPECT_NEAR(truth.truths[0].correction.tiltX, std::tan(0.05), 1e-12);
+}
+
+TEST_F(DecisionFile, nudgeAlongSamplesTheHeightsAgain)
+{
+    LaserTruth truth = madeTruth(directory, 4);
+    const auto before = truth.truths;
+    const std::vector<SlicePoint> slice = truthSlice(truth, 0);
+    const std::string path = directory.write(
+        "along.csv",
+        "row,run,decision,offset_m,tilt_rad,along_m\n1,a,accept,0.01,,-0.1\n2,,accept,,,0.04\n");
+    const auto decisions = readTruthDecisions(path);
+    ASSERT_TRUE(decisions) << decisions.error().text;
+    ASSERT_TRUE(applyTruthDecisions(truth, *decisions, path));
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t bin = 0; bin < kBins; ++bin) {
+            const BinTruth& moved = truth.truths[0].side.at(side).at(bin);
+            ASSERT_TRUE(moved.height) << bin;
+            EXPECT_NEAR(*moved.height - 0.01, *before[1].side.at(side).at(bin).height, 0.002)
+                << "a robot 0.1 m ahead, as in the next scene, saw bin " << bin << " so";
+            EXPECT_EQ(*truth.tracks[0].truth.at(side).at(bin), *moved.height);
+            EXPECT_EQ(*truth.tracks[0].truthSd.at(side).at(bin), moved.sd);
+            EXPECT_EQ(truth.truths[2].side.at(side).at(bin).height,
+                      before[2].side.at(side).at(bin).height);
+        }
+    const std::vector<SlicePoint> movedSlice = truthSlice(truth, 0);
+    const auto step = [](const std::vector<SlicePoint>& points) {
+        double x = 9.0;
+        for (const SlicePoint& p : points)
+            if (p.line == TruthLine::LeftFlippers && p.z > -0.15) x = std::min(x, p.x);
+        return x;
+    };
+    EXPECT_NEAR(step(movedSlice), step(slice) - 0.1, 0.005) << "the sheet shows the moved cloud";
+}
+
+TEST_F(DecisionFile, nudgeAlongNeedsWholeCells)
+{
+    const std::string path = directory.write(
+        "along.csv", "row,run,decision,offset_m,tilt_rad,along_m\n1,,accept,,,0.03\n");
+    EXPECT_TRUE(refused(readTruthDecisions(path), path,
+                        {"line 2: along_m is 0.03, expected a multiple of 0.02"}));
+    const std::string far = directory.write(
+        "far.csv", "row,run,decision,offset_m,tilt_rad,along_m\n1,,accept,,,0.22\n");
+    EXPECT_TRUE(refused(readTruthDecisions(far), far, {"line 2: along_m is 0.22"}));
 }
 
 TEST_F(DecisionFile, decisionsOnOtherScenesChangeNothing)
