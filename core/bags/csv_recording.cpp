@@ -70,7 +70,7 @@ FirstTimes firstTimes(CsvReader& csv, std::size_t column)
     for (std::size_t i = 1; i < times.size(); ++i)
         if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
     if (steps.empty()) return {times.empty() ? 0.0 : times.front(), 0.0};
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
     std::ranges::nth_element(steps, middle);
     return {times.front(), *middle};
 }
@@ -137,6 +137,7 @@ private:
         if (reader_.isMissing(column)) return {};
         if (const auto number = reader_.number(column, columns_[column]))
             return FieldValue::of(*number);
+        if (reader_.isNumber(column)) return {};  // infinite
         return FieldValue::of(std::string(reader_.fields()[column]));
     }
 

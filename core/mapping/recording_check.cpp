@@ -106,18 +106,38 @@ bool isInDegrees(const FieldSource& source)
     return std::abs(source.factor) > 0.0 && std::abs(source.factor) < 0.05;
 }
 
-void addUnits(Quantity quantity, const Mapping& mapping, const SeriesRange& range,
-              Findings& findings)
+/// Returns how many measured values are larger than `most`, in size.
+std::size_t countBeyond(const Series& series, double most)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(series, [most](const SeriesSample& s) {
+        return s.isMeasured && std::abs(s.value) > most;
+    }));
+}
+
+/// Names angles that a robot cannot have: all in another unit, or a few that are no measurements.
+std::string angleDoubt(Quantity quantity, const Series& series, std::size_t count, double largest,
+                       double most)
+{
+    constexpr std::size_t kFew = 100;  // one of so many is a spike
+    const std::size_t beyond = countBeyond(series, most);
+    if (beyond * kFew <= count)
+        return fmt::format("[{}]: {} of {} values lie beyond {:.3f} rad, up to {}: the sensor or "
+                           "its line has spikes; leave these messages out",
+                           name(quantity), beyond, count, most, numberText(largest));
+    return fmt::format("[{}]: reaches {:.3f} rad, more than {:.3f}: degrees may be taken for "
+                       "radians; add unit = \"deg\", or correct the field",
+                       name(quantity), largest, most);
+}
+
+void addUnits(Quantity quantity, const Mapping& mapping, const Series& series, Findings& findings)
 {
     constexpr double kRounding = 1e-6, kRadians = 3.2;
     const auto most = mostAngle(quantity);
+    const SeriesRange range = rangeOf(series);
     if (!most || range.count == 0) return;
     const double largest = std::max(std::abs(range.least), std::abs(range.most));
     if (largest > *most + kRounding)
-        findings.push_back(fmt::format("[{}]: reaches {:.3f} rad, more than {:.3f}: degrees may be "
-                                       "taken for radians; add unit = "
-                                       "\"deg\", or correct the field",
-                                       name(quantity), largest, *most));
+        findings.push_back(angleDoubt(quantity, series, range.count, largest, *most + kRounding));
     const auto& source = mapping.of(quantity);
     if (source && isInDegrees(*source) && largest > 0.0
         && largest / std::abs(source->factor) <= kRadians && range.count >= kMinStuck)
@@ -164,7 +184,7 @@ private:
     {
         const Series& series = series_.series(quantity);
         const SeriesRange range = rangeOf(series);
-        addUnits(quantity, mapping_, range, findings_);
+        addUnits(quantity, mapping_, series, findings_);
         const std::string what = fmt::format("[{}]", name(quantity));
         if (isCurrent(quantity)) addSaturation(what, range, findings_);
         // A robot may drive straight on, or not at all.
@@ -284,7 +304,7 @@ std::vector<std::string> importDoubts(const RecordedSeries& series, const Mappin
 {
     Findings findings;
     for (std::size_t q = 0; q < static_cast<std::size_t>(Quantity::Activity); ++q)
-        addUnits(static_cast<Quantity>(q), mapping, rangeOf(series.of.at(q)), findings);
+        addUnits(static_cast<Quantity>(q), mapping, series.of.at(q), findings);
     addJumps(series, findings);
     addPause(series, findings);
     if (mapping.byHeader)

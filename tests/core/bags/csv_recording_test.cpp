@@ -121,6 +121,20 @@ TEST_F(CsvSeries, aLineOfUnitsIsLeftOutAndShown)
     EXPECT_NE(why.find("line 2: t is not a number: 'x'"), std::string::npos) << why;
 }
 
+TEST_F(CsvSeries, infiniteNumbersAreNoTexts)
+{
+    for (const char* const infinite : {"inf", "-inf", "Infinity"}) {
+        const std::string file = directory.write("a.csv", fmt::format("t,pitch\n1,{}\n", infinite));
+        const auto csv = openRecording(file);
+        ASSERT_TRUE(csv) << csv.error().text;
+        RecordedMessage message;
+        ASSERT_TRUE((*csv)->next(message));
+        const auto row = (*csv)->decode(message);
+        ASSERT_TRUE(row);
+        EXPECT_EQ(row->parts.at(1).kind, FieldValue().kind) << infinite;
+    }
+}
+
 TEST_F(CsvSeries, datesAreNamed)
 {
     EXPECT_TRUE(rows("t,pitch\n2024-01-02 03:04:05.678,0.5\n").empty());

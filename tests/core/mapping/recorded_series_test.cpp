@@ -249,8 +249,11 @@ TEST_F(SeriesFiles, textsInsteadOfNumbersAreCounted)
     const std::string head = fmt::format("t,{}\n", kPoseColumns);
     EXPECT_EQ(lines(head + "0,0,0,0,0,0\n0.1,inf,0,0,0,0\n0.2,abc,0,0,0,0\n", csvMapping()).size(),
               1U);
-    EXPECT_EQ(remarks, std::vector<std::string>{"topic /csv, [pitch]: 2 values of 'pitch' are "
-                                                "texts, expected numbers; they are left out"});
+    EXPECT_EQ(remarks, (std::vector<std::string>{
+                           "topic /csv, [pitch]: 1 values of 'pitch' are null or not finite; they "
+                           "count as not measured",
+                           "topic /csv, [pitch]: 1 values of 'pitch' are texts, expected numbers; "
+                           "they are left out"}));
     EXPECT_NE(whyNot(head + "0,nan,0,0,0,0\n", csvMapping())
                   .find("all 1 values of 'pitch' are null or not finite; correct [pitch]"),
               std::string::npos);

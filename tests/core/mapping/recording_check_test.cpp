@@ -59,6 +59,16 @@ TEST_F(Checks, degreesTakenForRadiansAreFound)
     EXPECT_NE(other[0].find("stays within 0.10 degrees"), std::string::npos) << other[0];
 }
 
+TEST_F(Checks, aSpikeIsNoOtherUnit)
+{
+    const auto found = doubts([](int i) {
+        return fmt::format("{},0.{:02},0.1,0.{:02},0.{:02},0", i == 50 ? 40.0 : 0.001 * i, i, i, i);
+    });
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0], "[pitch]: 1 of 100 values lie beyond 1.571 rad, up to 40: the sensor or "
+                        "its line has spikes; leave these messages out");
+}
+
 TEST_F(Checks, aWayThatJumpsIsFound)
 {
     const std::string mapping = csvMapping("[travelled]\nfield = \"c\"\n");
