@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs missing packages of the named groups; prints nothing if none is missing:
-#   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel] [cluster]
+#   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel] [cluster] [scans]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, SDL 2 for gamepads, and Qwt for Qt 6: the system's, else built into .deps/qwt
 #   unit  libraries of the tests of the core    test  libraries and tools of all tests
@@ -9,6 +9,7 @@
 #   publish  tools to test packages on clean systems and to make an apt repository: cmake/packages.sh
 #   kernel  tools to build and run the kernel of tests/kernel/; libgpiod 2 in .deps/libgpiod2
 #   cluster  Slurm, for the test of docs/clusters.md on a Slurm of one node
+#   scans  public laser scans that Debian packages ship, for a test of terratact truth
 # Packages are installed by apt (with sudo if needed); the system's apt sources are not changed.
 # --arch arm64: the compiler and the libraries are those for arm64, for a cross build (cmake/arm64.sh). The other tools
 # are this machine's. It is for the groups core, gui, unit and package.
@@ -37,6 +38,7 @@ declare -A packages=(
   [publish]="debootstrap debian-archive-keyring lintian reprepro gnupg"
   [kernel]="linux-source gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
   [cluster]="slurm-wlm munge"
+  [scans]="libcgal-demo"
 )
 
 fail() {

@@ -1,5 +1,6 @@
 """Imports MCAP files that Foxglove's library wrote (tests/data/recordings), whole and damaged."""
 
+import math
 import pathlib
 import unittest
 
@@ -47,6 +48,22 @@ class McapOfFoxglove(Folder):
                 self.assertAlmostEqual(float(scene["pitch_rad"]), 0.2, 4)
                 self.assertAlmostEqual(float(scene["rear_rad"]), 0.35, 4)
                 self.assertAlmostEqual(float(scene["front_current_a"]), 3.0, 3)  # 17 N m
+
+    def test_its_clouds_give_the_scene_heights(self):
+        for name in ("zstd.mcap", "lz4_unindexed.mcap"):
+            with self.subTest(name):
+                scenes, truth = self.path / "s.csv", self.path / "truth.csv"
+                run(*self.importing(RECORDINGS / name), "--scenes", scenes)
+                said = run("truth", RECORDINGS / name, "--topic", "/points", "--poses", RECORDINGS / name,
+                           "--mapping", self.mapping, "--start", 1_700_000_000, "--scenes", scenes, "--align",
+                           "--out", truth)
+                self.assertIn("960 points of 3 clouds", said)
+                self.assertIn("1 of 1 scenes have heights", said)
+                heights = [rows(truth)[0][f"h_{-0.3 + 0.1 * i:+.1f}_m"] for i in range(11)]
+                self.assertNotIn("", heights)
+                for i, height in enumerate(heights):
+                    rise = math.tan(0.2) * 0.1 * (i - 3)
+                    self.assertAlmostEqual(float(height) - float(heights[3]), rise, 2)
 
     def test_probe_lists_topics_and_proposes_a_mapping(self):
         said = run("import", RECORDINGS / "zstd.mcap", "--probe")

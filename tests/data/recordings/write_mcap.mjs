@@ -5,7 +5,8 @@
 //     @foxglove/rosmsg-msgs-common @foxglove/wasm-zstd lz4js
 //   node write_mcap.mjs FOLDER
 //
-// The robot pitches for 3 s up to 0.2 rad while it drives 0.3 m. Then it stands for 3 s and presses with 17 N m.
+// The robot pitches for 3 s up to 0.2 rad while it drives 1.5 m. Then it stands for 3 s and presses with 17 N m. Its laser
+// sees a slope of 0.2 rad under the tracks and flippers of that place, in the frame of the base.
 import { createRequire } from "node:module";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -33,13 +34,18 @@ function header(i, frame, isRos1) {
   return isRos1 ? { seq: i, stamp, frame_id: frame } : { stamp, frame_id: frame };
 }
 
+const wayAt = (i) => 0.05 * Math.min(i, 30);
+
 function cloudAt(i, isRos1) {
-  const points = 12, data = new DataView(new ArrayBuffer(12 * points));
-  for (let k = 0; k < points; ++k)
-    [0.1 * k, 0.02 * i, k === 5 ? NaN : 0.01 * k].forEach((value, axis) => data.setFloat32(12 * k + 4 * axis, value, true));
+  const rows = [-0.27, -0.2, 0.2, 0.27], inRow = 80, points = rows.length * inRow;
+  const data = new DataView(new ArrayBuffer(12 * points));
+  for (let k = 0; k < points; ++k) {
+    const x = 1.01 + 0.02 * (k % inRow), z = k % inRow === 5 ? NaN : -0.12 + Math.tan(0.2) * (x - 1.5);
+    [x - wayAt(i), rows[Math.floor(k / inRow)], z].forEach((value, axis) => data.setFloat32(12 * k + 4 * axis, value, true));
+  }
   const field = (name, offset) => ({ name, offset, datatype: 7, count: 1 });
   return {
-    header: header(i, "map", isRos1), height: 1, width: points, fields: [field("x", 0), field("y", 4), field("z", 8)],
+    header: header(i, "base_link", isRos1), height: 1, width: points, fields: [field("x", 0), field("y", 4), field("z", 8)],
     is_bigendian: false, point_step: 12, row_step: 12 * points, data: new Uint8Array(data.buffer), is_dense: false,
   };
 }
@@ -59,7 +65,7 @@ function topics(isRos1) {
     })],
     ["/odom", "nav_msgs/Odometry", (i) => ({
       header: header(i, "odom", isRos1), child_frame_id: "base_link",
-      pose: { pose: { position: { x: 0.01 * Math.min(i, 30), y: 0, z: 0 }, orientation: turn(0) }, covariance: none36 },
+      pose: { pose: { position: { x: wayAt(i), y: 0, z: 0 }, orientation: turn(0) }, covariance: none36 },
       twist: { twist: { linear: zero, angular: zero }, covariance: none36 },
     })],
     ["/points", "sensor_msgs/PointCloud2", (i) => (i % 20 === 0 ? cloudAt(i, isRos1) : undefined)],
