@@ -14,6 +14,20 @@ std::string_view withoutBlanks(std::string_view text, std::string_view blanks)
     return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+std::string_view withoutPadding(std::string_view text)
+{
+    // U+00A0, U+2007, U+200B, U+202F, U+FEFF
+    constexpr std::array<std::string_view, 7> kPads{
+        " ", "\t", "\xC2\xA0", "\xE2\x80\x87", "\xE2\x80\x8B", "\xE2\x80\xAF", "\xEF\xBB\xBF"};
+    const auto begins = [&](std::string_view pad) { return text.starts_with(pad); };
+    const auto ends = [&](std::string_view pad) { return text.ends_with(pad); };
+    for (auto pad = kPads.end(); (pad = std::ranges::find_if(kPads, begins)) != kPads.end();)
+        text.remove_prefix(pad->size());
+    for (auto pad = kPads.end(); (pad = std::ranges::find_if(kPads, ends)) != kPads.end();)
+        text.remove_suffix(pad->size());
+    return text;
+}
+
 std::string lowerCase(std::string_view text)
 {
     std::string lower(text);
@@ -45,7 +59,7 @@ std::optional<double> csvNumber(std::string_view text, bool commaIsDecimal)
 {
     constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212
     if (const std::optional<double> value = numberFrom(text)) return value;
-    std::string plain(text);
+    std::string plain(withoutPadding(text));
     if (plain.starts_with(kMinus)) plain.replace(0, kMinus.size(), "-");
     if (plain.starts_with('+') && plain.size() > 1 && plain[1] != '-') plain.erase(0, 1);
     const bool oneComma = std::count(plain.begin(), plain.end(), ',') == 1;

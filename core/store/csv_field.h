@@ -12,12 +12,16 @@ inline constexpr std::string_view kCsvBlanks = " \t";
 
 /// Returns the text without the blanks at its begin and end.
 std::string_view withoutBlanks(std::string_view text, std::string_view blanks = kCsvBlanks);
+/// Returns the text without blanks of any kind at its begin and end: also no-break, figure and
+/// zero-width spaces, and byte order marks.
+std::string_view withoutPadding(std::string_view text);
 /// Returns a unit without blanks and without the brackets around it.
 std::string_view withoutBrackets(std::string_view text);
 /// Returns the text with the letters A to Z in lower case.
 std::string lowerCase(std::string_view text);
 
-/// Returns the number that the text spells. A decimal comma is allowed only if `commaIsDecimal`.
+/// Returns the number that the text spells, without its padding. A decimal comma is allowed only if
+/// `commaIsDecimal`.
 std::optional<double> csvNumber(std::string_view text, bool commaIsDecimal);
 /// Returns true for an empty field and for words such as NaN, NA and null.
 bool isMissingWord(std::string_view text);

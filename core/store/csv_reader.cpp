@@ -295,6 +295,21 @@ Result<bool> CsvReader::next()
     }
 }
 
+std::vector<Message> CsvReader::adoptNames(const std::vector<std::string_view>& names)
+{
+    std::vector<Message> sentences;
+    for (std::string_view& field : fields_) {
+        const std::string meant = lowerCase(withoutPadding(field));
+        const auto name = std::ranges::find_if(
+            names, [&](std::string_view known) { return lowerCase(known) == meant; });
+        if (name == names.end() || *name == field) continue;
+        sentences.emplace_back(TR_NOOP("core", "%1: the column %2 was read as %3"), name_,
+                               shown(field), *name);
+        field = unquoted_.emplace_back(*name);
+    }
+    return sentences;
+}
+
 void CsvReader::useAsHeader(std::vector<std::string> units)
 {
     while (fields_.size() > 1 && fields_.back().empty()) fields_.pop_back();

@@ -52,6 +52,11 @@ public:
     /// number of fields, and a wrong unit.
     Result<bool> next();
 
+    /// Gives fields of the current record, the header, the names that they mean: those that differ from
+    /// one of `names` only by the case of letters and by blanks of any kind around them. Returns a
+    /// sentence for each field that it changed.
+    std::vector<Message> adoptNames(const std::vector<std::string_view>& names);
+
     /// Makes the current record the header, without empty fields at its end. All later records have
     /// as many fields, or more if the additional ones are empty. Records of empty fields only are
     /// skipped. `units`: unit of each column, empty for text. A line below the header that gives

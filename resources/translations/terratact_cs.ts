@@ -5991,6 +5991,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the cells of scene %1 are damaged: write the file again</source>
         <translation>buňky scény %1 jsou poškozené: zapište soubor znovu</translation>
     </message>
+    <message>
+        <source>%1: the column %2 was read as %3</source>
+        <translation>%1: sloupec %2 byl přečten jako %3</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

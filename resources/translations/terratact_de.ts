@@ -5991,6 +5991,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the cells of scene %1 are damaged: write the file again</source>
         <translation>die Zellen der Szene %1 sind beschädigt: die Datei neu schreiben</translation>
     </message>
+    <message>
+        <source>%1: the column %2 was read as %3</source>
+        <translation>%1: die Spalte %2 wurde als %3 gelesen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -53,6 +53,13 @@ public:
         if (slot == kTime) return "s";
         return std::string(columns_.columns[index(slot)].unit);
     }
+    std::vector<std::string_view> names() const
+    {
+        std::vector<std::string_view> all;
+        for (int slot = 0; slot < count(); ++slot)
+            if (isUsed(slot)) all.push_back(name(slot));
+        return all;
+    }
     int named(std::string_view name) const
     {
         for (int slot = 0; slot < count(); ++slot)
@@ -111,7 +118,7 @@ Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
 {
     if (csv.fields().size() > kMaxColumns)
         return csv.error(Message(TR_NOOP("core", "has more than %1 columns"), kMaxColumns));
-    Layout layout;
+    Layout layout{{}, csv.adoptNames(known.names())};
     std::vector<std::string> units;
     std::string unknown;
     for (const std::string_view name : csv.fields()) {

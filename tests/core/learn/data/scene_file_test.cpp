@@ -172,6 +172,33 @@ TEST_F(SceneFileTest, unknownColumnsAreKeptOutWithANotice)
     EXPECT_EQ(read->scenes, this->read(kHeader + kScene)->scenes);
 }
 
+TEST_F(SceneFileTest, readsNamesInOtherCaseAndWithBlanksAndSaysSo)
+{
+    const std::string noBreak = "\xC2\xA0";
+    std::string header = kHeader;
+    header.replace(header.find("t_s"), 3, "\"" + noBreak + "T_S \"");
+    header.replace(header.find("pitch_rad"), 9, noBreak + "pitch_rad" + noBreak);
+    header.replace(header.find("h_+0.7_m"), 8, "H_+0.7_M");
+    std::string scene = kScene;
+    scene.replace(scene.find("0.5"), 3, noBreak + "0.5");
+    const auto file = readScenes(dir.write("names.csv", header + scene));
+    ASSERT_TRUE(file) << file.error().text;
+    EXPECT_EQ(file->scenes.at(0).time, 0.5);
+    EXPECT_EQ(file->scenes[0].s.pitch, -0.125);
+    EXPECT_EQ(file->scenes[0].truth[10], 0.04);
+    ASSERT_EQ(file->notices.size(), 3U);
+    EXPECT_NE(file->notices[2].english().find("'H_+0.7_M' was read as h_+0.7_m"), std::string::npos)
+        << file->notices[2].english();
+}
+
+TEST_F(SceneFileTest, refusesTwoNamesThatMeanOneColumn)
+{
+    std::string header = kHeader;
+    header.replace(header.find("front_current_a"), 15, "Pitch_rad");
+    const std::string path = dir.write("twice.csv", header + kScene);
+    EXPECT_TRUE(refused(readScenes(path), path, {"line 1", "the column pitch_rad appears twice"}));
+}
+
 TEST_F(SceneFileTest, heightsMayBeMissing)
 {
     const std::string header = kHeader.substr(0, kHeader.find(",h_")) + "\n";
