@@ -11,7 +11,8 @@ namespace {
 Units unitsInUse;
 
 constexpr int kCentimetreDecimals = 2;  // decimals of a metre that centimetres take
-constexpr int kRadianDecimals = 2;      // decimals more that radians need
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+constexpr int kRadianDecimals = 2;  // decimals more that radians need
 
 bool isCentimetre()
 {
@@ -28,7 +29,7 @@ QString angleText(QString (*made)(double, int), double radians, int decimals)
 {
     if (units().angle == AngleUnit::Radian)
         return made(radians, decimals + kRadianDecimals) + QStringLiteral(" rad");
-    return made(radians * 180.0 / std::numbers::pi, decimals) + QStringLiteral("°");
+    return made(kDegreesPerRadian * radians, decimals) + QStringLiteral("°");
 }
 
 }  // namespace
@@ -41,6 +42,18 @@ const Units& units()
 void setUnits(const Units& units)
 {
     unitsInUse = units;
+}
+
+ShownUnit shownUnit(std::string_view si)
+{
+    const std::string_view unit = si.substr(0, si.find('/'));
+    const QString rest = format::line(si.substr(unit.size()));
+    if (rest.isEmpty() || rest == QLatin1String("/s")) {
+        if (unit == "m" && isCentimetre()) return {QStringLiteral("cm") + rest, 100.0};
+        if (unit == "rad" && units().angle == AngleUnit::Degree)
+            return {QStringLiteral("°") + rest, kDegreesPerRadian};
+    }
+    return {format::line(si)};
 }
 
 std::string_view name(LengthUnit unit)

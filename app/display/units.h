@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <cstdint>
 #include <string_view>
 
@@ -20,6 +21,15 @@ const Units& units();
 
 /// Sets the units before the first window is made: texts that are shown already do not follow.
 void setUnits(const Units& units);
+
+/// A unit in use, and how many of it are one of the SI unit.
+struct ShownUnit {
+    QString name;
+    double factor = 1.0;
+};
+
+/// Returns the unit in use for values in "m", "m/s", "rad" or "rad/s"; another unit stays as it is.
+ShownUnit shownUnit(std::string_view si);
 
 /// Return the names in the preferences file: "m", "cm"; "deg", "rad".
 std::string_view name(LengthUnit unit);

@@ -12,6 +12,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/display/units.h"
 #include "app/pages/plot_sets.h"
 #include "app/plotting/signal_catalogue.h"
 #include "app/shell/preference_store.h"
@@ -31,9 +32,12 @@ constexpr double kList = 0.5;   // [s] update period of the list of signals
 constexpr double kZoom = 1.6;   // of a press on a button
 constexpr double kMove = 0.25;  // of the span, of a press on a button
 
-QString unitOf(const PlotSignal& signal)
+/// Frames are shown in the units that their descriptions name.
+ShownUnit unitOf(const PlotSignal& signal)
 {
-    return format::line(signal.unit);
+    const bool isSi =
+        signal.origin == SignalOrigin::Telemetry || signal.origin == SignalOrigin::Estimate;
+    return isSi ? shownUnit(signal.unit) : ShownUnit{format::line(signal.unit)};
 }
 
 QString nameOf(const PlotSignal& signal)
@@ -45,7 +49,7 @@ QString nameOf(const PlotSignal& signal)
 
 QString listText(const PlotSignal& signal)
 {
-    const QString unit = unitOf(signal);
+    const QString unit = unitOf(signal).name;
     const QString name =
         unit.isEmpty() ? nameOf(signal) : QStringLiteral("%1 [%2]").arg(nameOf(signal), unit);
     return QStringLiteral("%1 · %2").arg(name, translated(describe(signal.origin)));
@@ -320,10 +324,11 @@ void PlotsPanel::showRows()
             const auto found = known_.find(key);
             const PlotSignal* const signal = found != known_.end() ? &found->second : nullptr;
             // A frame that did not come yet is known by its key.
+            const ShownUnit unit = signal ? unitOf(*signal) : ShownUnit{};
             TimePlotCurve curve{.name = signal ? nameOf(*signal)
                                                : format::line(key.substr(key.find(':') + 1)),
-                                .unit = signal ? unitOf(*signal) : QString(),
-                                .view = source_.view(key, span),
+                                .unit = unit.name,
+                                .view = times(source_.view(key, span), unit.factor),
                                 .isHeld = signal && signal->isHeld()};
             values.push_back({.row = static_cast<int>(i) + 1,
                               .name = curve.name,

@@ -34,6 +34,16 @@ void SeriesSummary::append(const SeriesSummary& later)
     count += later.count;
 }
 
+SeriesSummary SeriesSummary::times(double factor) const
+{
+    return {.mean = factor * mean,
+            .squares = factor * factor * squares,
+            .last = factor * last,
+            .low = factor * low,
+            .high = factor * high,
+            .count = count};
+}
+
 double SeriesSummary::sd() const
 {
     return count < 2 ? 0.0 : std::sqrt(std::max(0.0, squares) / static_cast<double>(count - 1));

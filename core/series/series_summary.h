@@ -17,6 +17,8 @@ struct SeriesSummary {
     void add(double value);
     /// Adds samples that follow these ones.  Source: Chan, Golub and LeVeque (1979).
     void append(const SeriesSummary& later);
+    /// Returns the summary of the same samples in another unit: each times `factor`, which is > 0.
+    SeriesSummary times(double factor) const;
     /// Returns the standard deviation of the samples, with count − 1; 0 for fewer than two samples.
     double sd() const;
     bool operator==(const SeriesSummary&) const = default;

@@ -17,6 +17,16 @@ struct SeriesView {
     std::optional<double> atCursor{};     ///< newest value up to the cursor; empty: none
 };
 
+/// Returns the view in another unit: every value times `factor`, which is > 0.
+inline SeriesView times(SeriesView view, double factor)
+{
+    for (SeriesColumn& column : view.columns) column.summary = column.summary.times(factor);
+    view.visible = view.visible.times(factor);
+    if (view.before) *view.before *= factor;
+    if (view.atCursor) *view.atCursor *= factor;
+    return view;
+}
+
 /// Returns the longest pause that a line bridges [s]. It is five usual intervals of the samples.
 /// It is at least two and a half columns of the plot, and as many of the series.
 inline double bridgedPause(double usualInterval, double column, double bucket)

@@ -42,7 +42,8 @@ TEST_F(PlotsOfConsole, showTelemetryAtOnce)
     EXPECT_EQ(panel().plots()->rows(), 4) << "the usual plots";
     ASSERT_TRUE(hasValues(0));
     EXPECT_TRUE(
-        eventually([&] { return panel().values()->text(0, PlotValues::Cursor) == "0.25"; }));
+        eventually([&] { return panel().values()->text(0, PlotValues::Cursor) == "14.324"; }));
+    EXPECT_EQ(panel().values()->text(0, PlotValues::Unit), QString::fromUtf8("°")) << "not radians";
     EXPECT_TRUE(panel().liveButton()->isChecked());
     panel().removeButton()->click();
     EXPECT_EQ(panel().plots()->rows(), 3);

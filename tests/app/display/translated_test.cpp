@@ -229,6 +229,24 @@ TEST(UnitsOf, messagesAreConvertedForPeopleOnly)
     setUnits({});
 }
 
+TEST(UnitsOf, plottedValuesFollowTheUnitsInUse)
+{
+    const auto shown = [](const char* si) {
+        const ShownUnit unit = shownUnit(si);
+        return QStringLiteral("%1 %2").arg(unit.name).arg(unit.factor, 0, 'g', 4).toStdString();
+    };
+    EXPECT_EQ(shown("rad"), "° 57.3");
+    EXPECT_EQ(shown("rad/s"), "°/s 57.3");
+    EXPECT_EQ(shown("m"), "m 1");
+    setUnits({LengthUnit::Centimetre, AngleUnit::Radian});
+    EXPECT_EQ(shown("rad"), "rad 1");
+    EXPECT_EQ(shown("m"), "cm 100");
+    EXPECT_EQ(shown("m/s"), "cm/s 100");
+    for (const char* other : {"", "N", "m/s²", "mm", "rad·s", "m/min"})
+        EXPECT_EQ(shown(other), other + std::string(" 1"));
+    setUnits({});
+}
+
 TEST(UnitsOf, numbersKeepTheirResolution)
 {
     EXPECT_EQ(format::length(0.1, 2), "0.10 m");

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/series/series_view.h"
 #include "core/series/signal_series.h"
 
 namespace terratact {
@@ -167,6 +168,24 @@ TEST(SignalSeries, showsTheNewestSamplesOneByOne)
     EXPECT_EQ(series.over(10.0, 60.0).count, 50'000U) << "older: from the buckets";
     ASSERT_TRUE(series.valueAt(5.0));
     EXPECT_NEAR(*series.valueAt(5.0), samples[5'000].value, 0.11);
+}
+
+TEST(SeriesView, inAnotherUnitIsTheViewOfConvertedSamples)
+{
+    SignalSeries series(0.0), converted(0.0);
+    for (const PlainSample& s : wave(1000, 0.001)) {
+        series.add(s.time, s.value);
+        converted.add(s.time, 4.0 * s.value);
+    }
+    const auto view = [](const SignalSeries& from) {
+        return viewOf(from, 0.2, 0.7, 50, 0.4, from.resolutionFrom(0.2));
+    };
+    const SeriesView shown = times(view(series), 4.0), wanted = view(converted);
+    EXPECT_EQ(shown.columns, wanted.columns);
+    EXPECT_EQ(shown.visible, wanted.visible);
+    EXPECT_EQ(shown.before, wanted.before);
+    EXPECT_EQ(shown.atCursor, wanted.atCursor);
+    EXPECT_EQ(times(SeriesView{}, 4.0).atCursor, std::nullopt);
 }
 
 TEST(SignalSeries, aStepBackInTimeKeepsTheOrder)
