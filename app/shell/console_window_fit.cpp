@@ -9,6 +9,7 @@
 #include "app/shell/console_window.h"
 #include "app/shell/font_fit.h"
 #include "app/shell/preferences.h"
+#include "widgets/base/hidden_pages.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
@@ -129,17 +130,24 @@ int ConsoleWindow::largestToTry() const
 void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
-    while (!tryLetters()) continue;
+    do {
+        applyTried();
+        styleHiddenPages();
+    } while (!tryLetters());
 }
 
 void ConsoleWindow::fitLettersInTurns()
 {
-    if (tryLetters()) return;
+    constexpr int kTurn = 5;  // [ms]
+    applyTried();
+    // The window has the size that the largest of its pages needs, so all of them count.
+    if (styleHiddenPages(kTurn) && tryLetters()) return;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     setUpdatesEnabled(false);  // hides the intermediate font sizes
     tryLater_.start(0);
 }
 
-bool ConsoleWindow::tryLetters()
+void ConsoleWindow::applyTried()
 {
     fits_ = false;  // fitting is in progress
     tryLater_.stop();
@@ -147,6 +155,10 @@ bool ConsoleWindow::tryLetters()
     letScroll(false);
     if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
         applyLook(*qApp, theme_, trying_);
+}
+
+bool ConsoleWindow::tryLetters()
+{
     layOutAnew();
     const QSize needed = needs();
     if (needed.expandedTo(room()) != room()) {
