@@ -174,6 +174,7 @@ void BinZones::drawWords(QPainter& painter, const QwtScaleMap& x, const QwtScale
 {
     imu_ = {QPointF(x.transform(0.0) - scaled(40), y.transform(0.0) - scaled(10)),
             QPointF(x.transform(0.0) + scaled(8), y.transform(0.0) + scaled(10))};
+    arm_ = arm ? armTipArea(*arm, x, y, canvas) : QRectF();
     words_.clear();
     painter.setFont(sized(plot()->font(), 13));
     painter.setPen(theme().doubt);
@@ -229,9 +230,9 @@ void BinZones::drawWord(QPainter& painter, const Zone& zone, const QRectF& canva
 QRectF BinZones::free(QRectF place, const QRectF& canvas) const
 {
     const auto isTaken = [&] {
-        return imu_.intersects(place) || std::ranges::any_of(words_, [&](const QRectF& word) {
-                   return word.intersects(place);
-               });
+        return imu_.intersects(place) || arm_.intersects(place)
+            || std::ranges::any_of(words_,
+                                   [&](const QRectF& word) { return word.intersects(place); });
     };
     const QRectF first = place;
     while (isTaken()) {
@@ -287,6 +288,16 @@ void ZoneWords::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap&
     zones_.drawWords(*painter, x, y, canvas);
 }
 
+QRectF armTipArea(const QPointF& at, const QwtScaleMap& x, const QwtScaleMap& y,
+                  const QRectF& canvas)
+{
+    const double px = std::round(x.transform(at.x())) + 0.5, half = scaled(7);
+    const double least =
+        canvas.top() + scaled(28 + 20 + 24);  // puts label and tip below the zones' words
+    const double tip = std::max(y.transform(at.y()) - scaled(8), least);
+    return {px - half, tip - scaled(16), 2.0 * half, static_cast<double>(scaled(16))};
+}
+
 ArmMark::ArmMark(const BinZones& zones) : QwtPlotItem(QwtText("arm")), zones_(zones)
 {
     setZ(28.0);
@@ -297,13 +308,11 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
                    const QRectF& canvas) const
 {
     const bool open = state == ArmTip::State::Proposed;
-    const double px = std::round(x.transform(at)) + 0.5;
-    const double least =
-        canvas.top() + scaled(28 + 20 + 24);  // puts label and tip below the zones' words
-    const double tip = std::max(y.transform(down) - scaled(8), least);
-    const double top = state == ArmTip::State::Touched
-                         ? std::max(tip - scaled(64), least - scaled(44))
-                         : canvas.top() + scaled(28);
+    tip_ = armTipArea({at, down}, x, y, canvas);
+    const double px = tip_.center().x(), tip = tip_.bottom();
+    const double highest = canvas.top() + scaled(28);
+    const double top =
+        state == ArmTip::State::Touched ? std::max(tip - scaled(64), highest) : highest;
     painter->setFont(sized(plot()->font(), 14, true));
     painter->setPen(theme().accent);
     const double width = painter->fontMetrics().horizontalAdvance(words()) + 4.0;
@@ -315,12 +324,12 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
     if (open) pen.setDashPattern({4.0, 3.0});
     painter->setPen(pen);
     painter->drawLine(QPointF(px, beginOfLine(px, top)), QPointF(px, tip - scaled(14)));
-    const double half = scaled(7);
+    const double half = 0.5 * tip_.width();
     painter->setPen(QPen(theme().accent, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter->setBrush(open ? theme().card : theme().accent);
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->drawPolygon(QPolygonF({{px - half, tip - scaled(16)},
-                                    {px + half, tip - scaled(16)},
+    painter->drawPolygon(QPolygonF({tip_.topLeft(),
+                                    tip_.topRight(),
                                     {px + half, tip - scaled(8)},
                                     {px, tip},
                                     {px - half, tip - scaled(8)}}));
@@ -349,12 +358,13 @@ QRectF ArmMark::placeOfWord(const QRectF& above, double px, double tip, const QR
     return first;
 }
 
-/// Returns the y at which the line begins, below every word it would cross.
+/// Returns the y at which the line begins, below every word above the tip that it would cross.
 double ArmMark::beginOfLine(double px, double top) const
 {
     double begin = top;
     const auto below = [&](const QRectF& word) {
-        if (word.left() < px && word.right() > px) begin = std::max(begin, word.bottom() + 1.0);
+        const bool isCrossed = word.left() < px && word.right() > px && word.top() < tip_.top();
+        if (isCrossed) begin = std::max(begin, word.bottom() + 1.0);
     };
     for (const QRectF& word : zones_.words()) below(word);
     below(word_);

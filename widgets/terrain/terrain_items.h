@@ -78,8 +78,9 @@ public:
         bool operator==(const Unfelt&) const = default;
     };
     BinZones();
-    Unfelt full;                  ///< of the side that is drawn in full
-    std::optional<Unfelt> light;  ///< of the side that is drawn lighter
+    Unfelt full;                   ///< of the side that is drawn in full
+    std::optional<Unfelt> light;   ///< of the side that is drawn lighter
+    std::optional<QPointF> arm{};  ///< [m] the arm's tip, whose mark no word covers
     bool isShown() const;
     /// Returns the rectangles of the words in the last drawing [px].
     const std::vector<QRectF>& words() const { return words_; }
@@ -115,6 +116,7 @@ private:
 
     mutable std::vector<QRectF> words_;
     mutable QRectF imu_;  ///< the IMU's mark and word, which no word covers
+    mutable QRectF arm_;  ///< the arm's tip
 };
 
 /// The words of the zones, above the robot. The zones must outlive it.
@@ -128,6 +130,10 @@ private:
     const BinZones& zones_;
 };
 
+/// Returns the area [px] of the mark of the arm's tip at a point [m].
+QRectF armTipArea(const QPointF& at, const QwtScaleMap& x, const QwtScaleMap& y,
+                  const QRectF& canvas);
+
 /// The arm's last link, upright, with its tip on the bin. It is dashed and open until a probe is approved. Its word
 /// avoids the words of the zones, which are drawn before it and must outlive it.
 class ArmMark final : public QwtPlotItem {
@@ -135,6 +141,7 @@ public:
     explicit ArmMark(const BinZones& zones);
     /// Returns the rectangle of its word in the last drawing [px].
     const QRectF& word() const { return word_; }
+    const QRectF& tip() const { return tip_; }  ///< area of its tip in the last drawing [px]
     ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
     QString letter;               ///< of the side that it touches; empty: the middle
@@ -148,7 +155,7 @@ private:
     QString words() const;
 
     const BinZones& zones_;
-    mutable QRectF word_;
+    mutable QRectF word_, tip_;
 };
 
 }  // namespace terratact

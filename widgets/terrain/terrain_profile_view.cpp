@@ -321,6 +321,7 @@ void TerrainProfileView::showArm()
                 : sideLetter(armTip_->side == ProbeSide::Left ? Side::Left : Side::Right);
     }
     armMark_->setVisible(shown);
+    zones_->arm = shown ? std::optional(QPointF(armMark_->at, armMark_->down)) : std::nullopt;
     fitAxes();
     replot();
 }

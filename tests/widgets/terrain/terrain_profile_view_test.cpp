@@ -145,26 +145,34 @@ TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
     EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
 }
 
+template <class Item>
+const Item* itemOf(const TerrainProfileView& view)
+{
+    for (QwtPlotItem* each : view.itemList())
+        if (const auto* found = dynamic_cast<const Item*>(each)) return found;
+    return nullptr;
+}
+
+/// Returns an estimate that is felt to a bin, bounded in the next two, then not felt.
+TerrainEstimate feltTo(int felt)
+{
+    TerrainEstimate ramp = stepEstimate();
+    for (int bin = 0; bin < kBins; ++bin)
+        ramp.touch[static_cast<std::size_t>(bin)] = bin <= felt     ? Touch::Felt
+                                                  : bin <= felt + 2 ? Touch::Bounded
+                                                                    : Touch::NotFelt;
+    return ramp;
+}
+
 TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
 {
-    const auto item = [this]<class Item>(Item) {
-        for (QwtPlotItem* each : view.itemList())
-            if (const auto* found = dynamic_cast<const std::remove_pointer_t<Item>*>(each))
-                return found;
-        return static_cast<const std::remove_pointer_t<Item>*>(nullptr);
-    };
-    const BinZones* zones = item(static_cast<BinZones*>(nullptr));
-    const ArmMark* arm = item(static_cast<ArmMark*>(nullptr));
+    const auto* const zones = itemOf<BinZones>(view);
+    const auto* const arm = itemOf<ArmMark>(view);
     ASSERT_TRUE(zones && arm);
     for (const QSize size : {QSize(900, 480), QSize(620, 300), QSize(480, 260)}) {
         view.resize(size);
-        for (int felt = 7; felt < kBins; ++felt) {  // bounded beyond the felt bins, then not felt
-            TerrainEstimate ramp = stepEstimate();
-            for (int bin = 0; bin < kBins; ++bin)
-                ramp.touch[static_cast<std::size_t>(bin)] = bin <= felt     ? Touch::Felt
-                                                          : bin <= felt + 2 ? Touch::Bounded
-                                                                            : Touch::NotFelt;
-            view.setEstimate(ramp);
+        for (int felt = 7; felt < kBins; ++felt) {
+            view.setEstimate(feltTo(felt));
             for (const auto state : {ArmTip::State::Proposed, ArmTip::State::Touched})
                 for (int bin = kFirstAhead; bin < kBins; ++bin) {
                     view.setArmTip(ArmTip{.state = state, .bin = bin, .height = 0.1});
@@ -180,6 +188,34 @@ TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
                 }
         }
     }
+}
+
+TEST_F(TerrainView, theArmAvoidsTheZonesWordsAtEverySizeOfLetters)
+{
+    const auto* const zones = itemOf<BinZones>(view);
+    const auto* const arm = itemOf<ArmMark>(view);
+    ASSERT_TRUE(zones && arm);
+    for (const auto& [letters, size] :
+         {std::pair(100, QSize(900, 480)), std::pair(150, QSize(900, 480)),
+          std::pair(200, QSize(760, 420)), std::pair(200, QSize(1200, 700))}) {
+        applyLook(*qApp, ThemeName::Day, letters);
+        view.resize(size);
+        for (int felt = 7; felt < kBins; ++felt) {
+            view.setEstimate(feltTo(felt));
+            for (const auto state : {ArmTip::State::Proposed, ArmTip::State::Touched})
+                for (int bin = kFirstAhead; bin < kBins; ++bin) {
+                    view.setArmTip(ArmTip{.state = state, .bin = bin, .height = 0.1});
+                    ASSERT_FALSE(painted(*view.canvas()).isNull());
+                    ASSERT_FALSE(zones->words().empty());
+                    for (const QRectF& word : zones->words()) {
+                        EXPECT_FALSE(word.intersects(arm->tip()))
+                            << letters << " %, " << size.width() << " px, felt to bin " << felt
+                            << ", arm at " << bin;
+                    }
+                }
+        }
+    }
+    applyLook(*qApp);
 }
 
 TEST_F(TerrainView, rememberedGroundHasDotsAWordAndItsBar)
