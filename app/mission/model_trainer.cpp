@@ -1,7 +1,5 @@
 #include "app/mission/model_trainer.h"
 
-#include <sys/resource.h>
-
 #include <QFileInfo>
 #include <algorithm>
 #include <exception>
@@ -12,6 +10,7 @@
 #include "app/modelling/model_cards.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/steady_now.h"
+#include "app/runtime/thread_priority.h"
 #include "app/runtime/vector_registers.h"
 #include "core/infer/sampling/watch.h"
 #include "core/learn/model/model_file.h"
@@ -89,7 +88,7 @@ ModelTrainer::ModelTrainer(TrainingLoad load, QObject* parent) : QObject(parent)
     connect(
         &thread_, &QThread::started, &there_,
         [nice = load_.nice] {
-            setpriority(PRIO_PROCESS, 0, std::max(nice, getpriority(PRIO_PROCESS, 0)));
+            lowerPriority(nice);
             clearUpperVectorHalves();
         },
         Qt::DirectConnection);
