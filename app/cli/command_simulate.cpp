@@ -247,16 +247,6 @@ Result<Recording<TwoTrackScene>> driveOnTracks(const RobotModel& robot,
     return driveProfiles(robot, options, file->grounds);
 }
 
-/// Writes the files with one more, all of them or none. A stream takes the content after the files are written.
-Status writeBeside(FileGroup& files, const std::string& path, const std::string& content)
-{
-    const bool streams = isStandardOutput(path) || isStream(path);
-    if (!streams)
-        if (Status added = files.add(path, content); !added) return added;
-    if (Status written = files.commit(); !written) return written;
-    return streams ? writeText(path, content) : Status(Done{});
-}
-
 /// Writes a recording that `text` makes to a file, and says so.
 template <class AnyScene>
 Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotModel& robot,
@@ -274,7 +264,7 @@ Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotM
         if (!made) return made.error();
         points = *made;
     }
-    if (Status written = writeBeside(files, options.out, text(recording->scenes)); !written)
+    if (Status written = writeTogether(files, options.out, text(recording->scenes)); !written)
         return written;
     std::FILE* const messages = messagesBeside(options.out);
     printText(messages, "{} scenes over {} written to {}", recording->scenes.size(),

@@ -13,9 +13,12 @@ Status findTruth(const TruthOptions& options)
 {
     auto truth = laserTruth(options.find);
     if (!truth) return truth.error();
-    if (!options.review.empty())  // before the decisions, which are made on it
-        if (Status done = writeTruthFile(options.review, *truth, options.find.robot); !done)
-            return done;
+    FileGroup files;
+    if (!options.review.empty()) {  // before the decisions, which are made on it
+        auto review = newTruthFile(options.review, *truth, options.find.robot);
+        if (!review) return review.error();
+        files.add(*std::move(review));
+    }
     if (!options.decisions.empty()) {
         const auto decisions = readTruthDecisions(options.decisions);
         if (!decisions) return decisions.error();
@@ -26,11 +29,16 @@ Status findTruth(const TruthOptions& options)
     std::FILE* const messages = messagesBeside(options.out);
     printText(messages, "{}", Lines(truthReport(*truth, options.find)));
     if (!options.sheet.empty())
-        if (Status done = writeTruthSheet(options.sheet, *truth); !done) return done;
-    if (truth->knownHeights() == 0) return fileError(options.find.scenes, noHeightsText(*truth));
+        if (Status done = writeTruthSheet(options.sheet, *truth, files.writer()); !done)
+            return done;
+    if (truth->knownHeights() == 0) {
+        const Status shown = files.commit();  // review and sheet show why
+        return shown ? fileError(options.find.scenes, noHeightsText(*truth)) : shown.error();
+    }
     if (!options.support.empty())
-        if (Status done = writeText(options.support, truthSupportCsv(*truth)); !done) return done;
-    if (Status done = writeText(options.out, truthScenesCsv(*truth)); !done) return done;
+        if (Status done = addText(files, options.support, truthSupportCsv(*truth)); !done)
+            return done;
+    if (Status done = writeTogether(files, options.out, truthScenesCsv(*truth)); !done) return done;
     printText(messages, "{} scenes with {} known heights written to {}\n", truth->scenes(),
               truth->knownHeights(), options.out);
     return Done{};

@@ -176,7 +176,7 @@ void drawSheetHead(Canvas& canvas, const LaserTruth& truth, std::size_t shown)
 
 }  // namespace
 
-Status writeTruthSheet(const std::string& path, const LaserTruth& truth)
+Status writeTruthSheet(const std::string& path, const LaserTruth& truth, const FileWriter& write)
 {
     const std::vector<std::size_t> rows = rowsOfSheet(truth);
     const std::size_t lines = (rows.size() + kTileColumns - 1) / kTileColumns;
@@ -191,7 +191,8 @@ Status writeTruthSheet(const std::string& path, const LaserTruth& truth)
                               kSheetHead + static_cast<double>(line) * kTileHeight},
                              1.0, [&](Canvas& tile) { TruthTile(tile, truth, rows[i]).draw(); });
             }
-        });
+        },
+        {}, write);
 }
 
 }  // namespace terratact

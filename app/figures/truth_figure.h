@@ -5,6 +5,7 @@
 
 #include "app/modelling/laser_truth.h"
 #include "core/base/result.h"
+#include "core/store/file_group.h"
 
 namespace terratact {
 
@@ -13,6 +14,7 @@ inline constexpr std::size_t kMaxSheetScenes = 40;  ///< of more scenes, as many
 /// Draws a contact sheet of scenes with a pose. Each shows the slice of the cloud under left and right, the
 /// robot's side view, and the bins' heights with two sd. A scene without heights says why. The file is PNG, SVG
 /// or PDF by its ending, written under a temporary name and renamed. Errors name the file.
-Status writeTruthSheet(const std::string& path, const LaserTruth& truth);
+Status writeTruthSheet(const std::string& path, const LaserTruth& truth,
+                       const FileWriter& write = {});
 
 }  // namespace terratact

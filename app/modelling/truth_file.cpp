@@ -232,8 +232,8 @@ Status onTruthFile(const std::string& path, const Action& action)
 
 }  // namespace
 
-Status writeTruthFile(const std::string& path, const LaserTruth& truth,
-                      const std::string& robotFile)
+Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
+                             const std::string& robotFile)
 {
     if (truth.scenes() > kMaxTruthScenes)
         return fileError(path, Message(TR_NOOP("core", "would hold %1 scenes; expected at most %2: "
@@ -246,8 +246,15 @@ Status writeTruthFile(const std::string& path, const LaserTruth& truth,
     if (Status done =
             onTruthFile(path, [&] { fillTruthFile(file->temporaryPath(), truth, *robot); });
         !done)
-        return done;
-    return file->commit();
+        return done.error();
+    return file;
+}
+
+Status writeTruthFile(const std::string& path, const LaserTruth& truth,
+                      const std::string& robotFile)
+{
+    auto file = newTruthFile(path, truth, robotFile);
+    return file ? file->commit() : file.error();
 }
 
 TruthFile::TruthFile(std::string path, SqliteFile file)

@@ -8,6 +8,7 @@
 #include "app/modelling/laser_truth.h"
 #include "app/modelling/truth_slice.h"
 #include "core/base/result.h"
+#include "core/store/file_write.h"
 
 namespace terratact {
 
@@ -16,11 +17,14 @@ class SqliteFile;
 inline constexpr std::int64_t kTruthApplicationId = 0x54545431;  ///< "TTT1", of the SQLite header
 inline constexpr std::size_t kMaxTruthScenes = 20'000;
 
-/// Writes a truth file (SQLite, docs/truth.md): the robot, and every scene with its heights. It
+/// Makes a truth file (SQLite, docs/truth.md): the robot, and every scene with its heights. It
 /// also holds why heights are missing, and the cells of each scene's cloud, from which heights and
 /// slices can be sampled again. The cells of all scenes have at most SceneGrid::kMaxSamples heights of
-/// 4 bytes. robotFile: read again. The file is written under a temporary name and renamed. Errors name the file: too many
-/// scenes, or what SQLite and file_write.h refuse.
+/// 4 bytes. robotFile: read again. The file is complete under a temporary name: commit() renames it. Errors name the file:
+/// too many scenes, or what SQLite and file_write.h refuse.
+Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
+                             const std::string& robotFile);
+/// Writes the same file at once.
 Status writeTruthFile(const std::string& path, const LaserTruth& truth,
                       const std::string& robotFile);
 

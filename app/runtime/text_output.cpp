@@ -49,6 +49,15 @@ bool isStream(const std::string& path)
     return ::stat(path.c_str(), &found) == 0 && (S_ISFIFO(found.st_mode) || S_ISCHR(found.st_mode));
 }
 
+namespace {
+
+bool takesAtOnce(const std::string& path)
+{
+    return isStandardOutput(path) || isStream(path);
+}
+
+}  // namespace
+
 std::FILE* messagesBeside(const std::string& out)
 {
     return isStandardOutput(out) ? stderr : stdout;
@@ -95,6 +104,20 @@ Status writeText(const std::string& path, std::string_view content)
     if (!output) return output.error();
     output->stream() << content;
     return output->commit();
+}
+
+Status addText(FileGroup& files, const std::string& path, std::string_view content)
+{
+    return takesAtOnce(path) ? writeText(path, content) : files.add(path, content);
+}
+
+Status writeTogether(FileGroup& files, const std::string& path, std::string_view content)
+{
+    const bool streams = takesAtOnce(path);
+    if (!streams)
+        if (Status added = files.add(path, content); !added) return added;
+    if (Status written = files.commit(); !written) return written;
+    return streams ? writeText(path, content) : Status(Done{});
 }
 
 }  // namespace terratact

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/store/file_group.h"
 #include "core/store/file_write.h"
 
 namespace terratact {
@@ -44,5 +45,12 @@ private:
 
 /// Writes `content` to `path` through TextOutput.
 Status writeText(const std::string& path, std::string_view content);
+
+/// Adds a file to a group. A stream takes the content at once.
+Status addText(FileGroup& files, const std::string& path, std::string_view content);
+
+/// Writes the files of a group and one more, all of them or none. Standard output and other streams take the content
+/// after the files are written.
+Status writeTogether(FileGroup& files, const std::string& path, std::string_view content);
 
 }  // namespace terratact

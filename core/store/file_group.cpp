@@ -8,7 +8,7 @@ Status FileGroup::add(const std::string& path, std::string_view content)
 {
     Result<NewFile> file = NewFile::filled(path, content);
     if (!file) return file.error();
-    files_.push_back(*std::move(file));
+    add(*std::move(file));
     return Done{};
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -24,6 +25,9 @@ class FileGroup {
 public:
     /// Writes the content to the disk under a temporary name. Errors: as writeFileAtomically().
     Status add(const std::string& path, std::string_view content);
+
+    /// Takes a file that is filled already.
+    void add(NewFile filled) { files_.push_back(std::move(filled)); }
 
     /// Renames every file, in the order of add(). An error of the directory itself may still leave
     /// the first ones renamed: all contents are on the disk by then.

@@ -60,6 +60,13 @@ class Outputs(Folder):
         self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["c.pcd", "p.csv", "s.csv"])
         self.assertIn("s.csv", complaint("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", scenes))
 
+    def test_all_files_or_none_are_written(self):
+        scenes, cloud, poses, truth = self.files
+        said = complaint("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", self.path / "none" / "t.csv", "--sheet",
+                         self.path / "sheet.png", "--support", self.path / "support.csv", "--review", self.path / "r.truth")
+        self.assertIn("none/t.csv", said)
+        self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["c.pcd", "p.csv", "s.csv"])
+
     def test_options_that_contradict_are_refused(self):
         scenes, cloud, poses, truth = self.files
         common = ["truth", cloud, "--scenes", scenes, "--poses", poses, "--out", truth]
