@@ -10,7 +10,6 @@
 #include "app/display/translated.h"
 #include "app/mission/model_text.h"
 #include "app/runtime/parallel.h"
-#include "app/runtime/thread_priority.h"
 #include "app/runtime/time_budget.h"
 #include "app/runtime/vector_registers.h"
 #include "core/infer/two_track_estimator.h"
@@ -58,11 +57,7 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
 {
     thread_.setObjectName(QStringLiteral("estimator"));
     moveToThread(&thread_);
-    connect(&thread_, &QThread::started, this, [this] {
-        constexpr int kNice = 5;  // the window, STOP and the robot's link come first
-        lowerPriority(kNice);
-        loadModel(load_);
-    });
+    connect(&thread_, &QThread::started, this, [this] { loadModel(load_); });
     connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::loadModel,
             Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);

@@ -1,5 +1,7 @@
 #include "app/mission/model_trainer.h"
 
+#include <sys/resource.h>
+
 #include <QFileInfo>
 #include <algorithm>
 #include <exception>
@@ -10,7 +12,6 @@
 #include "app/modelling/model_cards.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/steady_now.h"
-#include "app/runtime/thread_priority.h"
 #include "app/runtime/vector_registers.h"
 #include "core/infer/sampling/watch.h"
 #include "core/learn/model/model_file.h"
@@ -88,7 +89,7 @@ ModelTrainer::ModelTrainer(TrainingLoad load, QObject* parent) : QObject(parent)
     connect(
         &thread_, &QThread::started, &there_,
         [nice = load_.nice] {
-            lowerPriority(nice);
+            setpriority(PRIO_PROCESS, 0, std::max(nice, getpriority(PRIO_PROCESS, 0)));
             clearUpperVectorHalves();
         },
         Qt::DirectConnection);

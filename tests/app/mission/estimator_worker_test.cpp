@@ -2,7 +2,6 @@
 #include "app/mission/estimator_worker.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
@@ -95,25 +94,6 @@ TEST(Worker, loadsTheModelThenEstimates)
     EXPECT_EQ(heard.estimated, QList<int>{job});
     EXPECT_EQ(heard.last.side[0].settings.seed, 5U);
     EXPECT_FALSE(worker.progress());
-}
-
-TEST(Worker, allThreadsOfAnEstimateHaveALowerPriority)
-{
-    const int own = getpriority(PRIO_PROCESS, 0);
-    std::atomic<int> least = 20;
-    EstimatorWorker worker(loaderOf([&](const EstimateRequest&, const Watch& watch) {
-        watch.sideBySide(4, [&](int) {
-            std::this_thread::sleep_for(2ms);  // so that the parts run in several threads
-            least = std::min(least.load(), getpriority(PRIO_PROCESS, 0));
-        });
-        return equalSides(stepEstimate());
-    }));
-    Listener heard(worker);
-    worker.start();
-    worker.request(withSeed(5));
-    ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
-    EXPECT_GT(least, own);
-    EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own) << "the window's thread keeps its own";
 }
 
 TEST(Worker, theNewestRequestWins)
