@@ -182,7 +182,7 @@ TEST_F(ImportedSessions, whatIsLeftOutOrDoubtfulIsSaid)
         EXPECT_TRUE(done) << done.error().text;
         return done ? done->remarks : std::vector<std::string>{};
     };
-    EXPECT_EQ(remarksOf("0,0,0,0,0,0\n0,0,0,0,0,0\n9,0,0,0,0,0\n", "a.tts"),
+    EXPECT_EQ(remarksOf("0,0,0,0,0,0\n0,0,0,0,0,0\n0.1,0,0,0,0,0\n", "a.tts"),
               std::vector<std::string>{
                   "1 of 3 values of the pitch have the time of another one and are left out: are "
                   "the times rounded, or is their unit another one?"});
