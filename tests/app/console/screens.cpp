@@ -199,6 +199,7 @@ void Screens::poll(std::string_view name, const QStringList& says, QWidget* abov
     };
     EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
     (void)eventually([&] { return unsaid().isEmpty(); }, 15000);
+    EXPECT_TRUE(eventually([&] { return !window().isMeasured(); })) << "the letters are not fitted";
     QTest::qWait(kSettles);
     (void)eventually([&] { return untidy().empty(); });  // a busy machine lays out late
     for (const QString& text : unsaid())

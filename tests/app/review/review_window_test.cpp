@@ -161,6 +161,7 @@ TEST_F(ReviewOf, largeFontsCutNothingAndTerrainTakesFreeSpace)
         window->setRoom(c.size);
         for (; scale < c.scale; scale += 10) press(Qt::Key_Plus, Qt::ControlModifier);
         window->resize(c.size);
+        ASSERT_TRUE(eventually([&] { return !window->isMeasured(); })) << c.scale;
         EXPECT_EQ(lookInForce().fontScale, c.scale) << c.size.width();
         for (int page = 0; page < window->rail()->pages(); ++page) {
             window->rail()->choose(page);
