@@ -28,7 +28,6 @@
 #include "app/shell/view_menu.h"
 #include "widgets/base/calm_wheel.h"
 #include "widgets/base/elided_label.h"
-#include "widgets/base/hidden_pages.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
@@ -53,10 +52,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     header_ = new StatusHeader(this);
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
-    connect(rail_, &NavigationRail::pageChosen, this, [this](int page) {
-        styleHiddenPage(*pages_->widget(page));
-        pages_->setCurrentIndex(page);
-    });
+    connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
 
     right_ = new QVBoxLayout;
     right_->setSpacing(0);

@@ -116,10 +116,9 @@ private:
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
     void fitLetters();  ///< fits the font at once
-    /// Fits the font from trying_ down, in several turns of the event loop.
+    /// Fits the font from trying_ down, one scale per turn of the event loop.
     void fitLettersInTurns();
-    void applyTried();  ///< applies trying_
-    /// Tries trying_, which is applied; returns false if it is too large and sets trying_ to the next scale.
+    /// Tries trying_; returns false if it is too large and sets trying_ to the next scale.
     bool tryLetters();
     void layOutAnew();
     int largestToTry() const;

@@ -9,7 +9,6 @@
 #include "app/shell/console_window.h"
 #include "app/shell/font_fit.h"
 #include "app/shell/preferences.h"
-#include "widgets/base/hidden_pages.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
@@ -130,24 +129,17 @@ int ConsoleWindow::largestToTry() const
 void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
-    do {
-        applyTried();
-        styleHiddenPages();
-    } while (!tryLetters());
+    while (!tryLetters()) continue;
 }
 
 void ConsoleWindow::fitLettersInTurns()
 {
-    constexpr int kTurn = 5;  // [ms]
-    applyTried();
-    // The window has the size that the largest of its pages needs, so all of them count.
-    if (styleHiddenPages(kTurn) && tryLetters()) return;
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    if (tryLetters()) return;
     setUpdatesEnabled(false);  // hides the intermediate font sizes
     tryLater_.start(0);
 }
 
-void ConsoleWindow::applyTried()
+bool ConsoleWindow::tryLetters()
 {
     fits_ = false;  // fitting is in progress
     tryLater_.stop();
@@ -155,10 +147,6 @@ void ConsoleWindow::applyTried()
     letScroll(false);
     if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
         applyLook(*qApp, theme_, trying_);
-}
-
-bool ConsoleWindow::tryLetters()
-{
     layOutAnew();
     const QSize needed = needs();
     if (needed.expandedTo(room()) != room()) {
