@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Prints the table of docs/operator_tasks.md: what a scripted operator needs for each task.
 
-Usage: docs/operator_tasks.py build/release/app/terratact-console [PART OF A TASK'S NAME]
+Usage: docs/operator_tasks.py build/release/app/terratact-console [--before CONSOLE] [--task PART OF A TASK'S NAME]
 It uses an X server, mouse and keys as tests/app/operator_test.py does, with the simulated robot. Each letter that is typed
-counts as a key. Another build of the console gives its own table.
+counts as a key. With --before, an older build of the console does the same tasks, and the table has its columns, too.
 """
 
+import argparse
 import pathlib
 import shutil
 import subprocess
@@ -100,11 +101,20 @@ class Tasks(unittest.TestCase):
 
     def open_recording(self):
         self.operator.presses("ctrl+o")
-        if not self.window("^Recordings", 15):
+        if not self.window("^(Recordings|Open)", 15):
             return False
         time.sleep(SETTLING)
+        if subprocess.run(["xdotool", "search", "--name", "^Recordings"], stdout=subprocess.DEVNULL, check=False).returncode:
+            return self.open_by_dialog()
         for key in ("Down", "Return"):  # the newest, which is being recorded, is chosen already
             self.operator.presses(key)
+        return self.window("REVIEW")
+
+    def open_by_dialog(self):
+        """Older consoles ask for a file. A desktop would give their dialog the focus."""
+        subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Open", "windowfocus", "--sync"], check=False)
+        self.operator.does("type demo.tts")
+        self.operator.presses("Return")
         return self.window("REVIEW")
 
     def with_demo(self):
@@ -194,14 +204,19 @@ def measured(console, before, task):
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    console = str(pathlib.Path(sys.argv[1]).resolve())
-    print("| task | keys | clicks | time [s] |\n| --- | --- | --- | --- |")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("console")
+    parser.add_argument("--before")
+    parser.add_argument("--task", default="")
+    options = parser.parse_args()
+    columns = [(options.before, "before: "), (options.console, "now: ")] if options.before else [(options.console, "")]
+    names = ["task"] + [word + name for _, word in columns for name in ("keys", "clicks", "time [s]")]
+    print("| " + " | ".join(names) + " |\n|" + " --- |" * len(names))
     for name, before, task in TASKS:
-        if sys.argv[2:] and sys.argv[2] not in name:
+        if options.task not in name:
             continue
-        print(f"| {name} | " + " | ".join(measured(console, before, task)) + " |", flush=True)
+        cells = [cell for console, _ in columns for cell in measured(str(pathlib.Path(console).resolve()), before, task)]
+        print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 
 if __name__ == "__main__":
