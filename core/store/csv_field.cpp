@@ -19,12 +19,14 @@ std::string_view withoutPadding(std::string_view text)
     // U+00A0, U+2007, U+200B, U+202F, U+FEFF
     constexpr std::array<std::string_view, 7> kPads{
         " ", "\t", "\xC2\xA0", "\xE2\x80\x87", "\xE2\x80\x8B", "\xE2\x80\xAF", "\xEF\xBB\xBF"};
-    const auto begins = [&](std::string_view pad) { return text.starts_with(pad); };
-    const auto ends = [&](std::string_view pad) { return text.ends_with(pad); };
-    for (auto pad = kPads.end(); (pad = std::ranges::find_if(kPads, begins)) != kPads.end();)
-        text.remove_prefix(pad->size());
-    for (auto pad = kPads.end(); (pad = std::ranges::find_if(kPads, ends)) != kPads.end();)
-        text.remove_suffix(pad->size());
+    const auto first = [&] {
+        return std::ranges::find_if(kPads, [&](auto pad) { return text.starts_with(pad); });
+    };
+    const auto last = [&] {
+        return std::ranges::find_if(kPads, [&](auto pad) { return text.ends_with(pad); });
+    };
+    for (auto pad = first(); pad != kPads.end(); pad = first()) text.remove_prefix(pad->size());
+    for (auto pad = last(); pad != kPads.end(); pad = last()) text.remove_suffix(pad->size());
     return text;
 }
 
