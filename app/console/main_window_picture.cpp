@@ -146,7 +146,8 @@ void MainWindow::snapshotWritten(const SnapshotFiles& files, const QString& trou
             : Message(TR_NOOP("terratact::MainWindow", "snapshot %1, beside the session"),
                       files.name().toStdString());
     log(saved, EventSeverity::Note);
-    notice_->show(translated(saved), steadyNow());
+    const bool isAsking = snapshotNote_->isVisible();  // it says so
+    if (files.session.empty() || !isAsking) notice_->show(translated(saved), steadyNow());
     snapshotNote_->setWritten(translated(saved));
 }
 

@@ -162,6 +162,8 @@ TEST_F(Snapshots, oneKeySavesPictureNumbersAndEvents)
     ASSERT_NE(window->snapshotNote(), nullptr);
     EXPECT_TRUE(says("is being written")) << "not yet saved";
     ASSERT_TRUE(gui::eventually([&] { return says("beside the session"); }));
+    for (const QLabel* banner : window->findChildren<QLabel*>(QStringLiteral("banner")))
+        EXPECT_FALSE(banner->isVisible()) << "a banner looks like trouble";
     ASSERT_EQ(files(".csv").size(), 1);
     ASSERT_EQ(files(".png").size(), 1);
     const QString base = QString::fromStdString(directory.file("sessions/"));
