@@ -195,6 +195,15 @@ std::string listOf(const std::vector<std::string>& columns)
     return columns.size() > kMost ? list + ", …" : list;
 }
 
+/// Returns the first lines of a text, at most `count`.
+std::string firstLines(const std::string& text, std::size_t count)
+{
+    std::size_t end = 0;
+    for (; count > 0 && end < text.size(); --count)
+        end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    return text.substr(0, end);
+}
+
 /// Returns the unit of times [s] from the first rows of a text. remark: what is taken for granted, if anything is.
 Result<double> unitIn(const std::string& path, std::string text,
                       const std::vector<std::string>& columns, std::size_t timeColumn,
@@ -219,7 +228,8 @@ Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path, con
 {
     auto text = CsvReader::textOf(path);
     if (!text) return text.error();
-    auto csv = CsvReader::over(path, *text);
+    std::string head = firstLines(*text, 2 * kUnitRows);  // blank lines count, too
+    auto csv = CsvReader::over(path, *std::move(text));
     if (!csv) return csv.error();
     const auto more = csv->next();
     if (!more) return more.error();
@@ -243,7 +253,7 @@ Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path, con
     csv->useAsHeader(std::vector<std::string>(columns.size()));
     std::string unitRemark;
     if (unit == 0.0) {
-        const auto found = unitIn(path, *std::move(text), columns, *timeColumn, unitRemark);
+        const auto found = unitIn(path, std::move(head), columns, *timeColumn, unitRemark);
         if (!found) return found.error();
         unit = *found;
     }
