@@ -42,8 +42,8 @@ configure() {
 
 built() { inside cmake --build $build --target "$@"; }
 
-# Prints the targets of the tests of the core.
-core_tests() { inside ninja -C $build -t targets all | sed -n 's/^\(core\.[a-z0-9_.]*_test\): phony$/\1/p' | sort -u; }
+# Prints the targets of the tests of the core: core.base, core.atem.panel_test, …
+core_tests() { inside ninja -C $build -t targets all | sed -n 's/^\(core\.[a-z0-9_.]*\): phony$/\1/p' | sort -u; }
 
 # DEB_HOST_ARCH makes dpkg-shlibdeps look for arm64's libraries.
 make_package() {

@@ -13,7 +13,7 @@ inline constexpr double kStaleAfter = 0.15;
 inline constexpr double kLinkLostAfter = 0.25;
 
 /// Approval expiry [s]: a proposed probe waits this long for the operator, and an approval is valid
-/// this long.
+/// this long. The gate checks it (core/atem/command_gate.h), and the exploration (core/atem/atem_machine.h).
 inline constexpr double kApprovalExpiry = 30.0;
 
 /// Probe threshold [m]: a bin with a larger standard deviation asks for the arm.  Source: section 4.4 of the paper.

@@ -48,7 +48,7 @@ trap 'rm -f "$page"' EXIT
   echo
   echo "    terratact hazards --tracks --memory --drives $remembered"
   echo
-  echo 'First come drives that turn, reverse and probe (`app/modelling/manoeuvre_drives.h`). Their ground is known everywhere. A hazard lies across'
+  echo 'First come drives that turn, reverse and probe (`manoeuvre_drives.h`). Their ground is known everywhere. A hazard lies across'
   echo 'the way, or beside it, where only a turned robot reaches it with a flipper. The arm touches a point of a bin. What lies between two points,'
   echo 'or a point and felt ground, 0.1 m apart at most, counts as felt. A reading far from the estimate counts by itself.'
   echo

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
 # simulated robot, also on ground that differs left and right, the review of the shipped session, and ten states of
-# tests/app/console/screens_test.cpp. Needs imagemagick to make the files smaller.
+# tests/app/console/screens/screens_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."
@@ -35,7 +35,7 @@ small() { convert "$1" +dither -colors 200 -strip "$2"; }
 
 build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
-TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens_test \
+TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
 TERRATACT_PICTURES="$all" build/release/tests/app.console.plots_page_test --gtest_filter='*fitInEvery*'
 for kind in kerb diagonal slope hanging; do

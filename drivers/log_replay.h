@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
 
-/// Replays a log of CAN traffic (core/wire/log_reader.h) as a bus, at the pace of its recording. It
+/// Replays a log of CAN traffic (core/wire/logs/log_reader.h) as a bus, at the pace of its recording. It
 /// sends no commands. Time that runs backwards in the log takes no time. A silence longer than
 /// kMaxWait takes kShortWait.
 ///

@@ -24,16 +24,19 @@ if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
 endif()
 
-set(core_rooms base series store robot robot/watch bags wire wire/dbc mapping terrain learn/data clouds learn/kernels learn/gp learn/net learn/model infer/estimate strip trail infer/sampling infer infer/verdict eval atem sim/ground sim/rest sim log)
-set(widgets_rooms base terrain control signals)
-set(app_rooms runtime link recording plotting modelling figures cli shell start mission pages sessions imports review console main)
+set(core_rooms base series store robot robot/watch bags wire wire/logs wire/dbc mapping terrain learn/data clouds learn/kernels learn/gp learn/net learn/model learn/model/file infer/estimate strip trail infer/sampling infer infer/verdict eval atem atem/probe sim/ground sim/rest sim log/rows log)
+set(widgets_rooms base terrain terrain/readings control signals)
+set(app_rooms runtime link link/gamepad recording recording/export plotting modelling
+  modelling/simulation modelling/robots modelling/truth modelling/trials modelling/evaluation modelling/training figures
+  figures/report cli/session cli shell/preferences shell start mission/text mission pages sessions imports review/export
+  review console/pages console/connection console/past console main)
 set(no_qt "^app/(runtime|link|recording|plotting|modelling|figures|cli)/")
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(qt_core_only "^app/(display|mission)/")
 set(qt_core "^<Q(CoreApplication|DateTime|ElapsedTimer|FileInfo|List|Object|RegularExpression|String|StringList|Thread|tGlobal)>")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(base/(message|result|system_message|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
-set(widgets_core "^core/(limits|base/(degree|message|text)|robot/(attitude|command|force_drift|force_sensor|measurement|probe_side)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|two_track_estimate|variant)|infer/verdict/(bimodality|obstacle|two_track_verdict|verdict)|strip/(felt_by|height_band|strip|strip_section)|wire/frame_trouble|series/[a-z_]+|atem/[a-z_]+)\\.h$")
+set(widgets_core "^core/(limits|base/(degree|message|text)|robot/(attitude|command|force_drift|force_sensor|measurement|probe_side)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|two_track_estimate|variant)|infer/verdict/(bimodality|obstacle|two_track_verdict|verdict)|strip/(felt_by|height_band|strip|strip_section)|wire/frame_trouble|series/[a-z_]+|atem/(probe/)?[a-z_]+)\\.h$")
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")

@@ -6,7 +6,7 @@
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
 #include "app/cli/commands.h"
-#include "app/figures/findings_report.h"
+#include "app/figures/report/findings_report.h"
 #include "app/modelling/findings_file.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/model/model_card.h"

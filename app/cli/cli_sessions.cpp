@@ -3,7 +3,7 @@
 
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
-#include "app/cli/session_commands.h"
+#include "app/cli/session/session_commands.h"
 #include "app/link/log_help.h"
 #include "core/base/text.h"
 

@@ -8,7 +8,7 @@
 #include "app/link/can_check.h"
 #include "app/runtime/print_text.h"
 #include "core/store/file_read.h"
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 #include "drivers/can_interface.h"
 #include "drivers/socketcan.h"
 

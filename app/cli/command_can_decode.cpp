@@ -13,7 +13,7 @@
 #include "core/base/text.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_read.h"
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 
 namespace terratact {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/runtime/parallel.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/time_budget.h"
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/verdict/estimate_text.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/simulated_robot.h"

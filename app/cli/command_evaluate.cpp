@@ -5,30 +5,34 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/missing_sensor_table.h"
-#include "app/figures/findings_report.h"
-#include "app/modelling/drive_trials.h"
+#include "app/figures/report/findings_report.h"
+#include "app/modelling/evaluation/model_cards.h"
+#include "app/modelling/evaluation/scene_evaluation.h"
+#include "app/modelling/evaluation/two_track_evaluation.h"
 #include "app/modelling/findings_file.h"
-#include "app/modelling/model_cards.h"
-#include "app/modelling/scene_evaluation.h"
-#include "app/modelling/two_track_evaluation.h"
+#include "app/modelling/trials/drive_trials.h"
 #include "app/runtime/print_text.h"
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/store/file_group.h"
+#include "core/store/file_read.h"
 #include "core/store/file_write.h"
+#include "core/store/sha256.h"
+#include "core/trail/trail_model.h"
 
 namespace terratact {
 
 namespace {
 
-void printNotices(const EvaluationInput& input)
+/// trained: number of the scenes that the model was trained on.
+void printNotices(const std::vector<Message>& notices, std::size_t trained, std::size_t scenes)
 {
-    for (const Message& notice : input.file.notices)
-        printText(stderr, "terratact: {}\n", notice.english());
-    if (input.trained > 0)
+    for (const Message& notice : notices) printText(stderr, "terratact: {}\n", notice.english());
+    if (trained > 0)
         printText(stderr,
                   "terratact: {} of {} scenes are training scenes of this model: errors look "
                   "smaller than they are\n",
-                  input.trained, input.file.scenes.size());
+                  trained, scenes);
 }
 
 void printRunAndContradictions(const MethodRun& run)
@@ -86,12 +90,21 @@ Status evaluateTwoTracks(const EvaluateOptions& options)
                                        "joint: expected one of them first in --methods");
     const auto file = readTwoTrackScenes(options.data);
     if (!file) return file.error();
-    for (const Message& notice : file->notices)
-        printText(stderr, "terratact: {}\n", notice.english());
+    printNotices(file->notices, trainingScenes(file->scenes, (*bundle)->model.data.sides.features),
+                 file->scenes.size());
     if (Status s = makeDirectory(options.out); !s) return s;
     if (options.missing)
         return reportMissing(evaluateMissing(file->scenes, **bundle, options), options);
     return reportTracks(file->scenes, **bundle, options);
+}
+
+/// Returns true if the networks have learnt from exactly this file of drives.
+bool haveLearnt(const TrailModel& networks, const std::string& drives)
+{
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(drives, none)) return false;  // a pipe is read only once
+    const auto hash = sha256OfFile(drives);
+    return hash && (*hash == networks.data().planeHash || *hash == networks.data().sideHash);
 }
 
 Status evaluateDrives(const EvaluateOptions& options)
@@ -102,6 +115,10 @@ Status evaluateDrives(const EvaluateOptions& options)
         options.drives, **bundle, options.methods, options.settings,
         [](const Message& notice) { printText(stderr, "terratact: {}\n", notice.english()); });
     if (!findings) return findings.error();
+    const auto& networks = (*bundle)->models.trail;
+    if (networks && haveLearnt(*networks, options.drives))
+        printText(stderr, "terratact: the networks have learnt from these drives: errors of trail "
+                          "look smaller than they are\n");
     printText("{}", Lines(driveTable(*findings)));
     return Done{};
 }
@@ -114,7 +131,7 @@ Status evaluate(const EvaluateOptions& options)
     if (options.tracks) return evaluateTwoTracks(options);
     const auto input = readEvaluationInput(options);
     if (!input) return input.error();
-    printNotices(*input);
+    printNotices(input->file.notices, input->trained, input->file.scenes.size());
     if (Status s = makeDirectory(options.out); !s) return s;
     if (options.missing) return printMissingSensors(input->file.scenes, *input->bundle, options);
     const auto findings = evaluateScenes(*input, options, printRunAndContradictions);

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/cli/commands.h"
-#include "app/modelling/driven_grounds.h"
 #include "app/modelling/scene_estimates.h"
+#include "app/modelling/simulation/driven_grounds.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"

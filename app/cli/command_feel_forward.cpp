@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/modelling/feel_forward_trials.h"
+#include "app/modelling/trials/feel_forward_trials.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
 

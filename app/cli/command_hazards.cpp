@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
-#include "app/modelling/hazard_trials.h"
-#include "app/modelling/manoeuvre_hazards.h"
-#include "app/modelling/track_hazards.h"
-#include "app/modelling/two_track_evaluation.h"
+#include "app/modelling/evaluation/two_track_evaluation.h"
+#include "app/modelling/trials/hazard_trials.h"
+#include "app/modelling/trials/manoeuvre_hazards.h"
+#include "app/modelling/trials/track_hazards.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
 

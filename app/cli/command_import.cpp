@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/session_commands.h"
+#include "app/cli/session/session_commands.h"
 #include "app/recording/recording_import.h"
 #include "app/recording/session_text.h"
 #include "app/recording/survey_text.h"

@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "app/cli/commands.h"
-#include "app/figures/findings_report.h"
+#include "app/figures/report/findings_report.h"
+#include "app/modelling/evaluation/model_cards.h"
 #include "app/modelling/findings.h"
 #include "app/modelling/findings_file.h"
-#include "app/modelling/model_cards.h"
 #include "app/runtime/print_text.h"
-#include "core/learn/model/model_file.h"
-#include "core/learn/model/model_part.h"
+#include "core/learn/model/file/model_file.h"
+#include "core/learn/model/file/model_part.h"
 #include "core/robot/robot_model.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"

@@ -5,15 +5,15 @@
 #include <stdexcept>
 
 #include "app/cli/commands.h"
-#include "app/modelling/model_cards.h"
-#include "app/modelling/model_conditions.h"
-#include "app/modelling/scene_mixing.h"
+#include "app/modelling/evaluation/model_cards.h"
+#include "app/modelling/training/model_conditions.h"
+#include "app/modelling/training/scene_mixing.h"
 #include "app/runtime/print_text.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/gp/projected_process.h"
 #include "core/learn/model/bin_models.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/learn/model/training.h"
 #include "core/store/csv_text.h"
 

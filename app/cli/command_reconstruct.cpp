@@ -4,9 +4,9 @@
 
 #include "app/cli/commands.h"
 #include "app/modelling/estimate_csv.h"
+#include "app/modelling/evaluation/two_track_csv.h"
+#include "app/modelling/evaluation/two_track_evaluation.h"
 #include "app/modelling/scene_estimates.h"
-#include "app/modelling/two_track_csv.h"
-#include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/learn/data/scene_file.h"

@@ -2,8 +2,8 @@
 
 #include "app/cli/commands.h"
 #include "app/figures/robot_figure.h"
-#include "app/modelling/robot_check.h"
-#include "app/modelling/robot_proposal.h"
+#include "app/modelling/robots/robot_check.h"
+#include "app/modelling/robots/robot_proposal.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/store/file_read.h"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
-#include "app/modelling/simulated_drives.h"
+#include "app/modelling/simulation/simulated_drives.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/base/degree.h"

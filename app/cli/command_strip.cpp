@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/modelling/strip_trials.h"
+#include "app/modelling/trials/strip_trials.h"
 #include "app/runtime/print_text.h"
 
 namespace terratact {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/modelling/driven_grounds.h"
-#include "app/modelling/laser_truth.h"
-#include "app/modelling/scene_evaluation.h"
-#include "app/modelling/simulated_map.h"
+#include "app/modelling/evaluation/scene_evaluation.h"
+#include "app/modelling/simulation/driven_grounds.h"
+#include "app/modelling/simulation/simulated_map.h"
+#include "app/modelling/truth/laser_truth.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
 #include "core/learn/data/bin_set.h"
@@ -42,7 +42,7 @@ struct SimulateOptions {
     SimulatedMapOptions map{};
 };
 Status simulate(const SimulateOptions& options);
-/// Records options.drives with telemetry on the way (app/modelling/simulated_drives.h).
+/// Records options.drives with telemetry on the way (app/modelling/simulation/simulated_drives.h).
 Status recordDrives(const SimulateOptions& options);
 
 struct TruthOptions {
@@ -135,7 +135,8 @@ struct HazardsOptions {
     bool manoeuvres = false;  ///< of memory: only drives that turn, reverse and probe
     Settings settings;
 };
-/// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).
+/// Drives simulated robots towards hazards and prints how often the verdict is wrong
+/// (app/modelling/trials/hazard_trials.h).
 Status judgeHazards(const HazardsOptions& options);
 
 struct StripOptions {
@@ -145,7 +146,7 @@ struct StripOptions {
     double spacing = 0.3;  ///< [m] between two scenes
     Settings settings;
 };
-/// Drives simulated robots and prints the errors of the strip of felt ground (app/modelling/strip_trials.h).
+/// Drives simulated robots and prints the errors of the strip of felt ground (app/modelling/trials/strip_trials.h).
 Status judgeStrips(const StripOptions& options);
 
 struct FeelForwardOptions {
@@ -157,7 +158,7 @@ struct FeelForwardOptions {
     Settings settings;
 };
 /// Drives simulated robots by feel forward and prints falls, collisions, way, pace and why each loop ended
-/// (app/modelling/feel_forward_trials.h).
+/// (app/modelling/trials/feel_forward_trials.h).
 Status tryFeelForward(const FeelForwardOptions& options);
 
 struct ContactsOptions {
@@ -226,8 +227,8 @@ struct RobotCheckOptions {
     std::vector<std::string> recordings;  ///< sessions on a flat floor; empty: no calibration
     std::string out;                      ///< calibrated robot file to write; empty: none
 };
-/// Prints the findings about a robot file and draws it (app/modelling/robot_check.h). Error if it has a problem. Else
-/// calibrates it from the recordings (app/modelling/robot_calibration.h).
+/// Prints the findings about a robot file and draws it (app/modelling/robots/robot_check.h). Error if it has a
+/// problem. Else calibrates it from the recordings (app/modelling/robots/robot_calibration.h).
 Status checkRobotFiles(const RobotCheckOptions& options);
 
 }  // namespace terratact

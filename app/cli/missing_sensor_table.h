@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/modelling/scene_evaluation.h"
+#include "app/modelling/evaluation/scene_evaluation.h"
 #include "core/base/result.h"
 #include "core/learn/data/scene.h"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "app/console/history_control.h"
 #include "app/console/main_window.h"
+#include "app/console/past/history_control.h"
 #include "app/pages/side_keys.h"
 #include "app/shell/key_table.h"
 #include "widgets/base/held_button.h"
@@ -15,7 +15,7 @@
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -10,7 +10,7 @@
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/display/event_severity.h"
-#include "app/link/gamepad_reader.h"
+#include "app/link/gamepad/gamepad_reader.h"
 #include "core/base/message.h"
 
 namespace terratact {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/console/diagnostics_page.h"
-#include "app/console/link_status.h"
+#include "app/console/connection/link_status.h"
+#include "app/console/pages/diagnostics_page.h"
 #include "app/link/robot_moment.h"
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
@@ -14,7 +14,7 @@
 #include "app/pages/force_arrays.h"
 #include "app/pages/terrain_page.h"
 #include "app/recording/session_recorder.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 
 namespace terratact {
 

@@ -9,17 +9,17 @@
 #include <chrono>
 #include <utility>
 
-#include "app/console/alarms_page.h"
 #include "app/console/console_keys.h"
 #include "app/console/gamepad_control.h"
-#include "app/console/gamepad_page.h"
-#include "app/console/history_control.h"
-#include "app/console/live_plots.h"
+#include "app/console/pages/alarms_page.h"
+#include "app/console/pages/gamepad_page.h"
+#include "app/console/pages/live_plots.h"
+#include "app/console/pages/settings_page.h"
+#include "app/console/pages/signals_page.h"
+#include "app/console/pages/training_page.h"
+#include "app/console/past/history_control.h"
+#include "app/console/past/replay_bar.h"
 #include "app/console/profile_menu.h"
-#include "app/console/replay_bar.h"
-#include "app/console/settings_page.h"
-#include "app/console/signals_page.h"
-#include "app/console/training_page.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
@@ -38,9 +38,9 @@
 #include "widgets/signals/alarm_table.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/bin_inspector.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -392,7 +392,7 @@ void MainWindow::defineKeys()
     addExplorationKeys(keys, *this, profileMenu_->draws());
     if (replayBar_) replayBar_->addKeys(keys);
 
-    setKeysNote(tr("In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, "
+    setKeysNote(tr("In a review, these keys move in time and no robot: A, B, F, M, P, K, 1 to 8, "
                    "Space, Page Up and Down, Up and Down."));
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "app/console/diagnostics_page.h"
-#include "app/console/link_status.h"
+#include "app/console/connection/link_status.h"
 #include "app/console/live_view_state.h"
+#include "app/console/pages/diagnostics_page.h"
+#include "app/console/past/recording_display.h"
 #include "app/console/probe_notice.h"
-#include "app/console/recording_display.h"
 #include "app/console/shared_stop.h"
 #include "app/console/stop_display.h"
 #include "app/display/translated.h"
@@ -29,7 +29,7 @@
 #include "app/recording/session_recorder.h"
 #include "app/shell/console_window.h"
 #include "app/shell/loop_meter.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "app/shell/short_notice.h"
 #include "core/atem/contact_cue.h"
 #include "core/atem/stall_watch.h"
@@ -189,6 +189,9 @@ private:
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
     void applyPreferences(const Preferences& before);
+    /// Applies theme and letter size, which blocks this window for up to 0.1 s. That would disarm an armed robot that
+    /// moves, so the change waits until the robot stands.
+    void showLook();
     /// Arranges the terrain page for the current layout and font scale.
     void arrange() override;
     int arrangement() const override;
@@ -206,6 +209,7 @@ private:
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
     CanSource* link_;                      ///< null if the source has no bus
+    bool lookWaits_ = false;               ///< showLook() waits until the robot stands
     std::atomic<bool> lookComes_ = false;  ///< a poll() requested by lookSoon() is pending
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;

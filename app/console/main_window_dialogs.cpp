@@ -1,8 +1,8 @@
 // Windows that the console's window opens.
-#include "app/console/connect_window.h"
+#include "app/console/connection/connect_window.h"
 #include "app/console/main_window.h"
+#include "app/console/pages/settings_page.h"
 #include "app/console/settings_files_window.h"
-#include "app/console/settings_page.h"
 #include "app/display/format.h"
 #include "app/recording/session_folder.h"
 #include "app/sessions/open_recording.h"

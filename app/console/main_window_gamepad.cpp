@@ -2,8 +2,8 @@
 #include <QApplication>
 
 #include "app/console/gamepad_control.h"
-#include "app/console/gamepad_page.h"
 #include "app/console/main_window.h"
+#include "app/console/pages/gamepad_page.h"
 
 namespace terratact {
 

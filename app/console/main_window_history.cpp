@@ -1,6 +1,6 @@
 // The history of estimates at the console's window.
-#include "app/console/history_control.h"
 #include "app/console/main_window.h"
+#include "app/console/past/history_control.h"
 #include "app/console/profile_menu.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/terrain/terrain_profile_view.h"

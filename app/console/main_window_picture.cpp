@@ -5,12 +5,12 @@
 #include <QPixmap>
 #include <vector>
 
-#include "app/console/history_control.h"
 #include "app/console/main_window.h"
+#include "app/console/past/history_control.h"
+#include "app/console/past/second_view.h"
+#include "app/console/past/snapshot.h"
+#include "app/console/past/strip_export.h"
 #include "app/console/profile_menu.h"
-#include "app/console/second_view.h"
-#include "app/console/snapshot.h"
-#include "app/console/strip_export.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
@@ -18,8 +18,8 @@
 #include "app/pages/picture_tools.h"
 #include "app/pages/table_csv.h"
 #include "core/store/file_write.h"
-#include "widgets/terrain/numbers_table.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/numbers_table.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -1,15 +1,15 @@
 // Effects of changed preferences, and when the window may be rebuilt.
-#include "app/console/alarms_page.h"
 #include "app/console/main_window.h"
-#include "app/console/settings_page.h"
+#include "app/console/pages/alarms_page.h"
+#include "app/console/pages/settings_page.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/preset_text.h"
 #include "app/mission/session_event_logger.h"
+#include "app/mission/text/preset_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/alarm_table.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 
@@ -46,12 +46,25 @@ void MainWindow::applyPreferences(const Preferences& before)
         exploration_->setStepLimit(now.obstacleLimit);
         verdict()->setLimit(now.obstacleLimit);
     }
-    setLook(now.theme, now.fontScale);
+    showLook();
+    if (lookWaits_) arrange();  // the layout does not wait
     exploration_->setEstimateSeconds(now.estimateSeconds);
     exploration_->setProbePolicy(now.probes);
     exploration_->setAttitudeLimits(now.tilt());
     if (now.robot != before.robot || now.language != before.language || now.units != before.units)
         reopen();
+}
+
+void MainWindow::showLook()
+{
+    const Preferences& now = preferences_->current();
+    const bool moves = exploration_->armed() && moment_.bus && moment_.bus->link.moves;
+    const bool before = lookWaits_;
+    lookWaits_ = moves && !hasLook(now.theme, now.fontScale);
+    if (!lookWaits_) return setLook(now.theme, now.fontScale);
+    if (!before)
+        showWhyNot(TR_NOOP("terratact::MainWindow",
+                           "colours and letters change once the robot stands still"));
 }
 
 /// Takes the robot file of a dialog that may have been open since before arming.

@@ -2,10 +2,10 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/console/live_plots.h"
 #include "app/console/main_window.h"
-#include "app/console/replay_bar.h"
-#include "app/console/settings_page.h"
+#include "app/console/pages/live_plots.h"
+#include "app/console/pages/settings_page.h"
+#include "app/console/past/replay_bar.h"
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
@@ -42,7 +42,9 @@ void MainWindow::poll()
     tickPanel(now);
     pollGamepad(now, frozen.has_value());
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
-    moment_ = momentOf(now, *acquisition_, link_);
+    // A paused log is no silent robot: its picture stays to be looked at.
+    if (!replayBar_ || !replayBar_->isStill()) moment_ = momentOf(now, *acquisition_, link_);
+    if (lookWaits_) showLook();
     const AtemPhase before = exploration_->state().phase;
     exploration_->tick(moment_);
     // An estimate is drawn at once, and so is a phase that changes what is offered. Telemetry and previews are drawn at
@@ -70,7 +72,7 @@ void MainWindow::logStall(double seconds)
 
 void MainWindow::redraw()
 {
-    const double now = moment_.now;
+    const double now = steadyNow();  // moment_ stands still while a log is paused
     redrawn_ = now;
     const LinkViewState link = viewStates_->link(moment_);
     linkStatus_->show(link);

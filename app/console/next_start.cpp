@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/console/connect_window.h"
+#include "app/console/connection/connect_window.h"
 
 namespace terratact {
 

@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "app/console/connect_window.h"
+#include "app/console/connection/connect_window.h"
+#include "app/console/connection/robot_connection.h"
 #include "app/console/demo.h"
 #include "app/console/main_window.h"
 #include "app/console/next_start.h"
-#include "app/console/robot_connection.h"
-#include "app/console/session_retention.h"
+#include "app/console/past/session_retention.h"
 #include "app/display/format.h"
 #include "app/recording/session_folder.h"
 #include "app/runtime/print_text.h"

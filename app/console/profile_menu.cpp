@@ -4,7 +4,7 @@
 
 #include "app/display/format.h"
 #include "app/mission/exploration.h"
-#include "app/mission/method_text.h"
+#include "app/mission/text/method_text.h"
 #include "app/pages/side_keys.h"
 #include "widgets/base/tips.h"
 #include "widgets/terrain/terrain_profile_view.h"

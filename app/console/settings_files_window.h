@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/shell/preference_store.h"
-#include "app/shell/preference_text.h"
-#include "app/shell/settings_file.h"
+#include "app/shell/preferences/preference_store.h"
+#include "app/shell/preferences/preference_text.h"
+#include "app/shell/preferences/settings_file.h"
 
 class QLabel;
 class QLineEdit;

@@ -8,7 +8,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
-#include "app/modelling/truth_slice.h"
+#include "app/modelling/truth/truth_slice.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {

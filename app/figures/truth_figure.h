@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "app/modelling/laser_truth.h"
+#include "app/modelling/truth/laser_truth.h"
 #include "core/base/result.h"
 #include "core/store/file_group.h"
 

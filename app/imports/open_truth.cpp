@@ -18,7 +18,7 @@ Result<int> openTruth(Application& application, const ConsoleOptions& options)
         !ready)
         return ready.error();
     TruthWindow window(*std::move(file));
-    return untilClosed(window, options, [&window] { return !window.isMeasured(); });
+    return untilClosed(window, options, [&window] { return !window.isFittingFont(); });
 }
 
 }  // namespace terratact

@@ -7,8 +7,8 @@
 
 #include "app/imports/truth_rows.h"
 #include "app/imports/truth_view.h"
-#include "app/modelling/truth_choices.h"
-#include "app/modelling/truth_file.h"
+#include "app/modelling/truth/truth_choices.h"
+#include "app/modelling/truth/truth_file.h"
 
 class QComboBox;
 class QLabel;

@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "app/modelling/truth_choices.h"
+#include "app/modelling/truth/truth_choices.h"
 
 namespace terratact {
 

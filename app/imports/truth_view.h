@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/modelling/truth_slice.h"
+#include "app/modelling/truth/truth_slice.h"
 #include "core/terrain/outline.h"
 
 namespace terratact {

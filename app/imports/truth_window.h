@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/modelling/truth_file.h"
+#include "app/modelling/truth/truth_file.h"
 #include "app/shell/console_window.h"
 
 namespace terratact {

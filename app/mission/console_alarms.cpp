@@ -7,7 +7,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/bus_text.h"
+#include "app/mission/text/bus_text.h"
 
 namespace terratact {
 namespace {

@@ -8,13 +8,13 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/model_text.h"
+#include "app/mission/text/model_text.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/time_budget.h"
 #include "app/runtime/vector_registers.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/learn/model/bin_models.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/sim/two_track_check.h"
 #include "core/store/sha256.h"
 

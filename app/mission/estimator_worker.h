@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/mission/trail_networks.h"
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/two_track_estimate.h"

@@ -5,8 +5,8 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/bus_text.h"
-#include "app/mission/place_text.h"
+#include "app/mission/text/bus_text.h"
+#include "app/mission/text/place_text.h"
 
 namespace terratact {
 namespace {
@@ -250,7 +250,8 @@ void Exploration::advance()
     watchDrive();
 }
 
-/// Reports a drive without motion. At the end of the simulated ground nothing else reports it.
+/// Reports a drive without motion. At the end of the simulated ground, or where it is so steep that the raised flippers
+/// meet it, nothing else reports it.
 void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
@@ -259,14 +260,15 @@ void Exploration::watchDrive()
                               "the robot reports driving, but its tracks do not move"),
                       EventSeverity::Bad);
     else if (options_.groundFile->empty())
-        emit happened(
-            TR_NOOP("terratact::Exploration",
-                    "the built-in ground ends here: drive back, or start with another --terrain"),
-            EventSeverity::Bad);
+        emit happened(TR_NOOP("terratact::Exploration",
+                              "the robot drives no further: the built-in ground ends here, or is "
+                              "too steep. Drive back, or start with another --terrain"),
+                      EventSeverity::Bad);
     else
         emit happened(
-            Message(TR_NOOP("terratact::Exploration", "the ground of the file %1 ends here: drive "
-                                                      "back, or start with another --terrain"),
+            Message(TR_NOOP("terratact::Exploration",
+                            "the robot drives no further: the ground of the file %1 ends here, or "
+                            "is too steep. Drive back, or start with another --terrain"),
                     verbatim(format::fileName(QString::fromStdString(*options_.groundFile)))),
             EventSeverity::Bad);
 }
@@ -364,6 +366,7 @@ void Exploration::end(bool aborted)
 
 void Exploration::fail()
 {
+    disarmedBy_ = bus_ ? bus_->link.arming.cause : DisarmCause::None;
     const Message why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
@@ -405,6 +408,8 @@ Message Exploration::stateWords() const
 Message Exploration::failureWords() const
 {
     const SourceText what = describe(state_.failure);
+    if (state_.failure == AtemFailure::Disarmed && disarmedBy_ != DisarmCause::None)
+        return Message::joined(what, describe(disarmedBy_));
     const bool refused = state_.failure == AtemFailure::PressRefused
                       || state_.failure == AtemFailure::ProbeRefused
                       || state_.failure == AtemFailure::AdvanceRefused;

@@ -21,7 +21,7 @@
 #include "core/atem/drive_watch.h"
 #include "core/atem/feel_forward.h"
 #include "core/atem/phase_time.h"
-#include "core/atem/probe_proposal.h"
+#include "core/atem/probe/probe_proposal.h"
 #include "core/base/message.h"
 #include "core/limits.h"
 #include "core/robot/attitude.h"
@@ -119,7 +119,8 @@ public:
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
     /// Returns the best probe for the present estimate, proposed or not; empty: its gain is unknown.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
-    /// Returns why the best probe is not proposed; empty: it was, or would be if commands could be sent.
+    /// Returns why the best probe is not proposed; empty: it is, was done, was not answered in time, or would be
+    /// proposed if commands could be sent.
     std::optional<Message> whyNotOffered() const;
     /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
@@ -191,6 +192,7 @@ private:
     bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
     bool armIsOut() const;
+    bool isBeyondTipping() const;
     void forget(const Message& why);             ///< drops the estimate and the proposal on it
     std::optional<Message> whyNotArmed() const;  ///< reason on a link; empty: armed
 
@@ -234,9 +236,11 @@ private:
     bool stopConfirmed_ = false;
     Message stopTrouble_;  ///< reason that the newest STOP was not sent
 
-    double approvedAt_ = 0.0;              ///< [s]
-    std::optional<double> pressTook_;      ///< [s] duration of the last press in this run
-    Refusal refusal_ = Refusal::None;      ///< reason of the robot's last refusal
+    double approvedAt_ = 0.0;          ///< [s]
+    std::optional<double> pressTook_;  ///< [s] duration of the last press in this run
+    Refusal refusal_ = Refusal::None;  ///< reason of the robot's last refusal
+    /// What had disarmed the robot when the exploration failed.
+    DisarmCause disarmedBy_ = DisarmCause::None;
     ProbeCommand probing_;                 ///< running probe
     std::optional<ArmReading> armBefore_;  ///< newest reading before the probe
     bool sawProbing_ = false;

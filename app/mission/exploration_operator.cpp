@@ -4,13 +4,13 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/exploration.h"
-#include "app/mission/place_text.h"
+#include "app/mission/text/place_text.h"
 
 namespace terratact {
 
 void Exploration::request()
 {
-    if (following() || armIsOut()) return;
+    if (following() || armIsOut() || isBeyondTipping()) return;
     asked_.reset();
     explore();
 }
@@ -45,7 +45,10 @@ void Exploration::forgetResult()
     if (exploring(state_.phase)) return;
     const bool stood = estimation_.estimate().has_value();
     emit decided("forget", {});
-    estimation_.setAside(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
+    const Message why =
+        stood ? Message(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"))
+              : Message(estimation_.whyNone());
+    estimation_.setAside(why);
     probes_.withdraw();
     const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
     if (ends || following()) pending_.aborted = true;

@@ -2,7 +2,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/exploration.h"
-#include "app/mission/place_text.h"
+#include "app/mission/text/place_text.h"
 
 namespace terratact {
 
@@ -27,7 +27,14 @@ Message Exploration::whyNoEstimate() const
 
 std::optional<Message> Exploration::whyNotOffered() const
 {
-    if (!estimation_.estimate() || offered_) return std::nullopt;
+    if (!estimation_.estimate()) return std::nullopt;
+    if (offered_) {
+        const bool refused = state_.phase == AtemPhase::Presenting && !state_.followed
+                          && !state_.probed && !state_.approvalExpired;
+        return refused ? std::optional<Message>(
+                   TR_NOOP("terratact::Exploration", "The probe was refused"))
+                       : std::nullopt;
+    }
     if (estimation_.wasPitchSuspected()) return Preconditions::pitchSuspected().text;
     const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
     if (now.place)
@@ -100,6 +107,13 @@ bool Exploration::armIsOut() const
         && latest_->sample.measurement.activity == RobotActivity::Probing;
 }
 
+/// Returns true if the robot's pitch or roll is beyond the angle at which it tips over.
+bool Exploration::isBeyondTipping() const
+{
+    return linkAlive_ && !following()
+        && attitudeOf(latest_->sample.measurement, robot_, options_.attitude).beyondTipping;
+}
+
 QList<Precondition> Exploration::toProbe() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
@@ -136,6 +150,7 @@ QList<Precondition> Exploration::preconditions() const
     };
     if (link_) list << Preconditions::arming(whyNotArmed());
     if (armIsOut()) list << Preconditions::armIsOut();
+    if (isBeyondTipping()) list << Preconditions::beyondTipping();
     list << Preconditions::model(estimation_.model());
     if (!linkAlive_)
         list << Preconditions::groundNotKnown();

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "app/mission/estimator_worker.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

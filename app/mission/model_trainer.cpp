@@ -9,12 +9,12 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/modelling/model_cards.h"
+#include "app/modelling/evaluation/model_cards.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/steady_now.h"
 #include "app/runtime/vector_registers.h"
 #include "core/infer/sampling/watch.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
 

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <optional>
 
-#include "app/modelling/model_comparison.h"
-#include "app/modelling/model_training.h"
+#include "app/modelling/training/model_comparison.h"
+#include "app/modelling/training/model_training.h"
 
 namespace terratact {
 

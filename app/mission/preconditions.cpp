@@ -95,6 +95,12 @@ Precondition Preconditions::armIsOut()
         TR_NOOP("Preconditions", "the arm is still out: wait until it is back, or press STOP"));
 }
 
+Precondition Preconditions::beyondTipping()
+{
+    return missing(TR_NOOP("Preconditions", "pitch or roll is beyond the tip-over angle: "
+                                            "bring the robot back onto its tracks first"));
+}
+
 Precondition Preconditions::hadTelemetryGap()
 {
     return missing(

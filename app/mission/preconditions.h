@@ -35,6 +35,7 @@ public:
     /// The proposal still has the data that was shown with it.
     static Precondition stands(bool asThen);
     static Precondition armIsOut();         ///< the robot reports that it probes
+    static Precondition beyondTipping();    ///< pitch or roll is beyond the angle of tipping over
     static Precondition hadTelemetryGap();  ///< telemetry was missing since the estimate
     static Precondition pitchSuspected();   ///< the arm would touch another place than is shown
     static Precondition stopConfirmed(bool confirmed, bool telemetryFresh);

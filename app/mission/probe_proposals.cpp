@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/atem/arm_choice.h"
-#include "core/atem/probe_grounds.h"
+#include "core/atem/probe/arm_choice.h"
+#include "core/atem/probe/probe_grounds.h"
 
 namespace terratact {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/mission/estimation.h"
-#include "core/atem/probe_policy.h"
-#include "core/atem/probe_proposal.h"
+#include "core/atem/probe/probe_policy.h"
+#include "core/atem/probe/probe_proposal.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/mission/exploration.h"
-#include "app/mission/place_text.h"
+#include "app/mission/text/place_text.h"
 #include "core/base/text.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/terrain/bins.h"
@@ -16,6 +16,17 @@ Message stepText(const StepProbability& step, double limit)
 {
     return {TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m) = %2 % ± %3"), fixed(limit, 2),
             fixed(100.0 * step.p, 1), randomErrorText(100.0 * step.monteCarloSd, 1)};
+}
+
+/// Returns the probability that the answer of one plane or side rests on.
+Message stepText(const Verdict& verdict, double limit)
+{
+    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
+        return stepText(verdict.step, limit);
+    const StepProbability& step = verdict.toHorizon;
+    return {TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m to %2 m) = %3 % ± %4"),
+            fixed(limit, 2), signedFixed(verdict.horizon, 2), fixed(100.0 * step.p, 1),
+            randomErrorText(100.0 * step.monteCarloSd, 1)};
 }
 
 /// Adds what keeps the verdict open: bins that were not felt, and reasons to withhold it.
@@ -33,7 +44,7 @@ void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
 
 Message sideText(SourceText side, const Verdict& verdict, double limit)
 {
-    std::vector<Message> parts{describe(verdict.stepVerdict), stepText(verdict.step, limit)};
+    std::vector<Message> parts{stepVerdictMessage(verdict), stepText(verdict, limit)};
     addDoubts(parts, verdict);
     return {side, Message::listed(std::move(parts), ", ")};
 }
@@ -41,11 +52,12 @@ Message sideText(SourceText side, const Verdict& verdict, double limit)
 void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, double limit)
 {
     const auto& [left, right] = verdict.side;
-    parts.emplace_back(describe(verdict.both));
     if (verdict.onePlane) {
-        parts.push_back(stepText(verdict.either, limit));
+        parts.push_back(stepVerdictMessage(left));
+        parts.push_back(stepText(left, limit));
         return addDoubts(parts, left);
     }
+    parts.emplace_back(describe(verdict.both));
     parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
                        stepText(verdict.either, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "left: %1"), left, limit));

@@ -12,7 +12,7 @@
 #include "app/runtime/parallel.h"
 #include "app/runtime/progress.h"
 #include "app/runtime/time_budget.h"
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/estimate_batch.h"
 #include "core/sim/posterior_check.h"
 #include "core/trail/trail_file.h"

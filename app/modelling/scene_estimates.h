@@ -10,7 +10,7 @@
 #include "core/base/message.h"
 #include "core/infer/estimator.h"
 #include "core/learn/data/scene.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

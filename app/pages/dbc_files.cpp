@@ -17,7 +17,7 @@
 #include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
 #include "app/shell/file_dialog.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

@@ -12,9 +12,9 @@
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
-#include "widgets/terrain/numbers_table.h"
-#include "widgets/terrain/two_track_text.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/numbers_table.h"
+#include "widgets/terrain/readings/two_track_text.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

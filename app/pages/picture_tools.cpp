@@ -14,7 +14,7 @@
 #include "app/shell/file_dialog.h"
 #include "app/shell/key_table.h"
 #include "widgets/terrain/bin_inspector.h"
-#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/readings/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -137,7 +137,7 @@ void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
 {
     askForFile(parent,
                {.title = PictureTools::tr("Export the picture"),
-                .start = {},
+                .start = QStringLiteral("terrain.png"),
                 .filter = PictureTools::tr("Pictures (*.png *.svg *.pdf)"),
                 .kind = FileWish::Kind::ToWrite},
                [&view, done = std::move(done)](const QString& path) {

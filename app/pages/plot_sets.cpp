@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 
 namespace terratact {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/display/units.h"
 #include "app/pages/plot_sets.h"
 #include "app/plotting/signal_catalogue.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -4,7 +4,7 @@
 
 #include "app/pages/plot_sets.h"
 #include "app/pages/plots_panel.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 
 namespace terratact {
 

@@ -13,9 +13,9 @@
 #include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/robot_readout.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QSize>
 
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 
 class QBoxLayout;
 class QSpacerItem;

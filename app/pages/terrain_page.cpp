@@ -16,10 +16,10 @@
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/drive_strip.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/estimate_strip.h"
-#include "widgets/terrain/rear_view.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/rear_view.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -188,6 +188,7 @@ private:
     void showPreview(const TerrainViewState& viewState);
     bool showPast(const TerrainViewState& viewState);
     void showPose(const TerrainViewState& viewState);
+    void clearPose();  ///< draws neither a robot nor true heights
     void showVerdict(const TerrainViewState& viewState);
     void showProbe(const TerrainViewState& viewState);
     void showProbeToAsk(const TerrainViewState& viewState);

@@ -16,10 +16,10 @@
 #include "widgets/base/tips.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/estimate_strip.h"
-#include "widgets/terrain/rear_view.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/rear_view.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -74,8 +74,6 @@ QString whyNoProbe(const TerrainViewState& viewState)
             return showsWorth(viewState)
                      ? TerrainPage::tr("%1; what one would tell:").arg(viewState.whyNotOffered)
                      : viewState.whyNotOffered;
-        if (viewState.estimate && !viewState.proposal)
-            return TerrainPage::tr("No probe: the estimate is certain without the arm.");
     }
     if (showsWorth(viewState)) return TerrainPage::tr("No probe is proposed; what one would tell:");
     return TerrainPage::tr(
@@ -320,7 +318,8 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
 void TerrainPage::showPose(const TerrainViewState& viewState)
 {
     const PastDrawing& past = viewState.past;
-    if (!viewState.measurement || viewState.count == shownCount_) return;
+    if (!viewState.measurement) return clearPose();
+    if (viewState.count == shownCount_) return;
     // An estimate belongs to its scene, so both are drawn in the scene's pose.
     const Measurement* const scene = past ? past.scene : viewState.scene;
     posed_ = scene ? *scene : *viewState.measurement;
@@ -340,6 +339,17 @@ void TerrainPage::showPose(const TerrainViewState& viewState)
     sideTruth_ = sideTruth ? *sideTruth : std::nullopt;
     showTruth();
     shownCount_ = viewState.count;
+}
+
+void TerrainPage::clearPose()
+{
+    if (!posed_) return;
+    posed_.reset();
+    planeTruth_.reset();
+    sideTruth_.reset();
+    terrain_->setOutline({});
+    showTruth();
+    shownCount_ = 0;
 }
 
 /// Draws the true heights: of two sides, those of the side in full.

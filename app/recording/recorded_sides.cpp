@@ -1,6 +1,6 @@
 #include "app/recording/recorded_sides.h"
 
-#include "core/log/session_tables.h"
+#include "core/log/rows/session_tables.h"
 
 namespace terratact {
 

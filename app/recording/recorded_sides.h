@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/infer/estimate/two_track_estimate.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

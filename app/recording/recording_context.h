@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

@@ -14,7 +14,7 @@
 
 #include "app/recording/recording_context.h"
 #include "core/base/message.h"
-#include "core/log/session_schema.h"
+#include "core/log/rows/session_schema.h"
 #include "core/log/session_writer.h"
 #include "drivers/can_bus.h"
 

@@ -151,13 +151,18 @@ Status saveFragments(const std::string& path, const std::string& why, SavedSessi
     return copyWhole(*session, path, why, saved);
 }
 
+bool canWriteBeside(const std::string& path)
+{
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
 /// Checks that a file can be created there.
 Status requireRoom(const std::string& path, const std::string& out, const std::string& why)
 {
     std::error_code none;
     if (std::filesystem::exists(out, none)) return fileError(out, "is there already");
-    const std::filesystem::path folder = std::filesystem::path(out).parent_path();
-    if (::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0) return Done{};
+    if (canWriteBeside(out)) return Done{};
     return fileError(path,
                      why + ", and " + out + " cannot be made: --out names a new session elsewhere");
 }
@@ -172,8 +177,25 @@ Status save(const std::string& path, const std::string& why, SavedSession& saved
     return saveFragments(path, why, saved);
 }
 
+/// Returns why a readable session could not be closed. refusal: SQLite's reason.
+std::string whyOpen(const std::string& path, const std::string& refusal)
+{
+    const bool file = ::access(path.c_str(), W_OK) == 0, folder = canWriteBeside(path);
+    if (!file && !folder) return "cannot be closed where neither it nor its folder can be written";
+    if (!file) return "cannot be closed, because it cannot be written";
+    if (!folder) return "cannot be closed where its folder cannot be written";
+    const std::string index = path + "-shm";
+    std::error_code none;
+    if (std::filesystem::exists(index, none) && ::access(index.c_str(), W_OK) != 0)
+        return fmt::format("cannot be closed, because {} is there and cannot be written: if no "
+                           "program has the session open, remove it",
+                           index);
+    return "cannot be closed: " + refusal;
+}
+
 /// Returns why a session cannot stay as it is, without the file name; empty: undamaged and closed.
-std::string troubleOf(const std::string& path)
+/// recovery: what came of recovering it in place.
+std::string troubleOf(const std::string& path, const Result<SessionRecovery>& recovery)
 {
     auto session = SessionReader::open(path);
     const auto named = [&path](const std::string& text) {
@@ -183,8 +205,8 @@ std::string troubleOf(const std::string& path)
     const SessionVerification found = session->verify();
     if (session->lacksJournal()) return "its journal is not beside it, both files belong together";
     if (!found.damage.empty()) return "is damaged: " + found.damage.front().why.english();
-    return session->sealed() ? std::string()
-                             : "cannot be closed where neither it nor its folder can be written";
+    if (session->sealed()) return {};
+    return whyOpen(path, recovery ? "it is open" : named(recovery.error().text));
 }
 
 }  // namespace
@@ -196,7 +218,7 @@ Result<SessionRescue> rescueSession(const std::string& path, const std::string& 
         return Error{path + ": somebody has it open, most likely who records it"};
     if (!recovery && recovery.error().code == kNotFollowed) return recovery.error();
     SessionRescue rescue{.recovered = recovery && *recovery == SessionRecovery::Recovered,
-                         .why = troubleOf(path)};
+                         .why = troubleOf(path, recovery)};
     if (rescue.why.empty()) return rescue;
     if (::access(path.c_str(), R_OK) != 0) return fileError(path, rescue.why);
     rescue.saved.out = out;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

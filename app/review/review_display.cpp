@@ -5,7 +5,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/robot_text.h"
+#include "app/mission/text/robot_text.h"
 #include "app/review/review_timeline.h"
 #include "core/atem/link_watch.h"
 #include "widgets/control/robot_readout.h"

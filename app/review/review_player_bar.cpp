@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-#include "app/review/review_difference.h"
+#include "app/review/export/review_difference.h"
 #include "app/review/review_timeline.h"
 #include "app/shell/key_table.h"
 #include "widgets/base/plain_label.h"
@@ -393,7 +393,7 @@ void ReviewPlayerBar::addStepKeys(KeyTable& keys)
     for (int lane = 0; lane < kReviewLanes; ++lane)
         step(QKeyCombination(Qt::ALT, static_cast<Qt::Key>(Qt::Key_1 + lane)), {},
              [this, lane] { stepLane(lane, true); });
-    keys.add({{Qt::Key_Home}, tr("to the begin"), [this] { goTo(player_.begin()); }});
+    keys.add({{Qt::Key_Home}, tr("to the beginning"), [this] { goTo(player_.begin()); }});
     keys.add({{Qt::Key_End}, tr("to the end"), [this] { goTo(player_.end()); }});
     keys.add({{Qt::Key_G}, tr("to a time"), [this] {
                   position_->setFocus(Qt::ShortcutFocusReason);

@@ -9,8 +9,8 @@
 #include "app/pages/terrain_page.h"
 #include "app/review/review_forces.h"
 #include "app/runtime/revised.h"
-#include "app/shell/preferences.h"
-#include "core/atem/arm_choice.h"
+#include "app/shell/preferences/preferences.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/log/review_moment.h"
 #include "core/log/review_strip.h"
 

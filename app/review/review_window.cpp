@@ -21,8 +21,8 @@
 #include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
 #include "app/pages/terrain_picture.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_events_page.h"
-#include "app/review/review_export_dialog.h"
 #include "app/review/review_signals_page.h"
 #include "app/review/review_timeline.h"
 #include "app/review/what_if_page.h"
@@ -40,9 +40,9 @@
 #include "widgets/control/probe_card.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -341,9 +341,10 @@ void ReviewWindow::defineKeys()
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
                   exportShown();
               }});
-    setKeysNote(tr("In the console the same keys send commands. A explores, B asks for a probe, M "
-                   "arms, Space approves a probe. Up and Down drive, Page Up and Down change the "
-                   "limit. P shows what a command needs, K marks, 1 to 3 ask for another bin."));
+    setKeysNote(tr("In the console the same keys send commands. A explores, B asks for a probe, F "
+                   "feels forward and drives, M arms, Space approves a probe. Up and Down drive, "
+                   "Page Up and Down change the limit. P shows what a command needs, K marks, 1 to "
+                   "3 ask for another bin."));
     addHelpKeys();
     addRemoteStop();
 
@@ -376,8 +377,8 @@ void ReviewWindow::place()
     note_->setMinimumSize(scaled(90), scaled(kTarget));
     note_->setMaximumWidth(scaled(220));
     constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
-    const bool isLow = isMeasured() || pagesHeight() < scaled(kHigh);
-    const bool isNarrow = isMeasured() || width() < scaled(kWide);
+    const bool isLow = isFittingFont() || pagesHeight() < scaled(kHigh);
+    const bool isNarrow = isFittingFont() || width() < scaled(kWide);
     auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
     timeline()->setDense(isLow);
     terrain_->setVerdictBeside(isNarrow ? 290 : 404);

@@ -13,7 +13,7 @@
 #include "app/review/review_player_bar.h"
 #include "app/review/review_view_state.h"
 #include "app/shell/console_window.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "core/log/review_moment.h"
 #include "core/robot/robot_model.h"
 

@@ -3,11 +3,11 @@
 #include "app/pages/numbers_page.h"
 #include "app/pages/terrain_page.h"
 #include "app/pages/terrain_picture.h"
-#include "app/review/review_export.h"
-#include "app/review/review_export_dialog.h"
+#include "app/review/export/review_export.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_timeline.h"
 #include "app/review/review_window.h"
-#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/readings/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

@@ -19,7 +19,7 @@
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/mission/estimator_worker.h"
 #include "app/runtime/revised.h"
 #include "app/shell/page.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 #include "core/robot/robot_model.h"
 
 class QComboBox;

@@ -90,12 +90,26 @@ Result<TextOutput> TextOutput::begin(const std::string& path)
     return TextOutput(path, std::move(file), std::make_unique<DescriptorStream>(descriptor));
 }
 
-Status TextOutput::commit()
+Status TextOutput::end()
 {
     stream_->flush();
     if (auto* const opened = dynamic_cast<DescriptorStream*>(stream_.get())) opened->close();
     if (!*stream_) return fileError(path_, "cannot be written: is the disk full?");
+    return Done{};
+}
+
+Status TextOutput::commit()
+{
+    if (Status ended = end(); !ended) return ended;
     return file_ ? file_->commit() : Status(Done{});
+}
+
+Status TextOutput::addTo(FileGroup& files)
+{
+    if (Status ended = end(); !ended || !file_) return ended;
+    if (Status flushed = file_->flush(); !flushed) return flushed;
+    files.add(*std::move(file_));
+    return Done{};
 }
 
 Status writeText(const std::string& path, std::string_view content)

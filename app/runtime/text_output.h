@@ -35,7 +35,12 @@ public:
     /// Flushes and, for a file, renames. Errors name the file that could not be written completely.
     Status commit();
 
+    /// Ends the output. Flushes a file to the disk and adds it to the group, which renames it. Errors as commit().
+    Status addTo(FileGroup& files);
+
 private:
+    /// Writes what the stream holds and closes it.
+    Status end();
     TextOutput(std::string path, std::optional<NewFile> file, std::unique_ptr<std::ostream> stream);
 
     std::string path_;

@@ -18,7 +18,7 @@
 #include "app/sessions/session_list_view.h"
 #include "app/shell/console_window.h"
 #include "app/shell/file_dialog.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

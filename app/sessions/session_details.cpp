@@ -12,7 +12,7 @@
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/theme.h"
-#include "widgets/terrain/terrain_thumbnail.h"
+#include "widgets/terrain/readings/terrain_thumbnail.h"
 
 namespace terratact {
 namespace {

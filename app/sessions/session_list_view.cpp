@@ -8,7 +8,7 @@
 #include "app/sessions/session_list.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/theme.h"
-#include "widgets/terrain/terrain_thumbnail.h"
+#include "widgets/terrain/readings/terrain_thumbnail.h"
 
 namespace terratact {
 namespace {

@@ -22,7 +22,7 @@
 #include "app/display/translated.h"
 #include "app/runtime/vector_registers.h"
 #include "app/shell/about.h"
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "app/shell/remote_stop.h"
 #include "app/shell/text_sheet.h"
 #include "app/shell/view_menu.h"
@@ -42,6 +42,13 @@ constexpr QKeyCombination kKeysKey(Qt::Key_F1), kAboutKey(Qt::CTRL, Qt::Key_F1);
 constexpr int kAboutWide = 620;    // [px] at 100 %
 constexpr int kPrepareEvery = 20;  // [ms]
 
+/// A row that scrolls at its least height. With a height for its width, a scroll area would give it the preferred one.
+class LeastRow final : public QHBoxLayout {
+public:
+    using QHBoxLayout::QHBoxLayout;
+    bool hasHeightForWidth() const override { return false; }
+};
+
 }  // namespace
 
 ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForce().fontScale)
@@ -58,7 +65,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     right_->setSpacing(0);
     right_->addWidget(pages_, 1);
     below_ = new QWidget(this);
-    auto* below = new QHBoxLayout(below_);
+    auto* below = new LeastRow(below_);
     below->setContentsMargins(0, 0, 0, 0);
     below->setSpacing(0);
     below->addWidget(rail_);
@@ -80,7 +87,9 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     qApp->installEventFilter(new CalmWheel(this));
     connect(&prepare_, &QTimer::timeout, this, &ConsoleWindow::prepareSome);
     tryLater_.setSingleShot(true);
-    connect(&tryLater_, &QTimer::timeout, this, &ConsoleWindow::fitLettersInTurns);
+    connect(&tryLater_, &QTimer::timeout, this, [this] {
+        if (!triedFits()) fitLettersInTurns();
+    });
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)
@@ -283,6 +292,7 @@ bool ConsoleWindow::event(QEvent* event)
     if (event->type() == QEvent::UpdateRequest)
         clearUpperVectorHalves();  // painting leaves them in use
     if (event->type() == QEvent::Resize && fits_) placeDock();
+    fitToFrame();
     if (event->type() != QEvent::LayoutRequest || !fits_) return done;
     placeDock();
     const QSize needed = needs();

@@ -40,7 +40,7 @@ public:
     /// Sets the available size [px] instead of the screen's, for pictures without a screen.
     void setRoom(QSize room);
     /// Returns true while the font is being fitted, which takes some turns of the event loop.
-    bool isMeasured() const { return !fits_; }
+    bool isFittingFont() const { return !fits_; }
     int bannerLine() const;     ///< [px] height of a banner, shown or not
     int bannersHeight() const;  ///< [px] height that shown banners take from the pages
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
@@ -95,7 +95,9 @@ protected:
 
     /// Applies the theme. wanted: font scale [%].
     void setLook(ThemeName theme, int wanted);
-    /// Arranges everything that depends on the current font; while measuring, as for the smallest window.
+    /// Returns true if this theme and font scale are those of the last setLook().
+    bool hasLook(ThemeName theme, int wanted) const { return theme == theme_ && wanted == wanted_; }
+    /// Arranges everything that depends on the font; while it is being fitted, as for the smallest window.
     virtual void arrange() {}
     /// Returns a number that differs between arrangements of different size.
     virtual int arrangement() const { return 0; }
@@ -110,16 +112,21 @@ private:
     void showSheet(TextSheet& sheet) const;
     bool pressesStopBesidePopup(const QEvent& event) const;
     QLabel* addStrip(QLabel* strip, const QString& look);
+    /// Returns what the desktop's frame adds [px]; zero until the desktop has added it.
+    QSize frame() const;
+    /// Fits the window again after its frame has changed, as on full screen and back.
+    void fitToFrame();
     QSize room() const;
     QSize needs() const;  ///< [px] minimum size including a banner, shown or not
     void setLeast(QSize needed);
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
     void fitLetters();  ///< fits the font at once
-    /// Fits the font from trying_ down, one scale per turn of the event loop.
+    /// Fits the font from trying_ down. Each scale takes two turns of the event loop: font, then layout.
     void fitLettersInTurns();
-    /// Tries trying_; returns false if it is too large and sets trying_ to the next scale.
-    bool tryLetters();
+    void applyTried();  ///< applies trying_
+    /// Lays out with trying_, which is applied. Returns false if it is too large, and sets trying_ to the next scale.
+    bool triedFits();
     void layOutAnew();
     int largestToTry() const;
     /// Styles some widgets of pages that were never visible, so that a page opens without delay.
@@ -132,6 +139,7 @@ private:
     ThemeName theme_;
     int wanted_;         ///< font scale [%]
     QSize room_;         ///< invalid: the screen's
+    QSize frame_{0, 0};  ///< the frame for which the window was fitted last
     bool fits_ = false;  ///< the font is fitted
     int trying_ = 0;     ///< font scale to try [%]
     /// The smallest font scale [%] that was too large, with its conditions; larger ones need no trial.

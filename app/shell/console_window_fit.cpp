@@ -8,7 +8,7 @@
 
 #include "app/shell/console_window.h"
 #include "app/shell/font_fit.h"
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
@@ -37,10 +37,21 @@ void ConsoleWindow::setLook(ThemeName theme, int wanted)
     arrange();
 }
 
+QSize ConsoleWindow::frame() const
+{
+    return frameGeometry().size() - size();
+}
+
+void ConsoleWindow::fitToFrame()
+{
+    if (!fits_ || frame() == frame_) return;
+    trying_ = largestToTry();
+    fitLettersInTurns();
+}
+
 QSize ConsoleWindow::room() const
 {
-    const QSize frame = frameGeometry().size() - size();
-    return room_.isValid() ? room_ : screen()->availableSize() - frame;
+    return room_.isValid() ? room_ : screen()->availableSize() - frame();
 }
 
 QSize ConsoleWindow::needs() const
@@ -105,17 +116,16 @@ int ConsoleWindow::bannersHeight() const
 
 QSize ConsoleWindow::roomBelowHeader() const
 {
-    const QSize frame = frameGeometry().size() - size();  // both windows have the same frame
-    return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame;
+    // Both windows have the same frame.
+    return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame();
 }
 
 void ConsoleWindow::putBelowHeader(QWidget& other) const
 {
-    const QSize frame = frameGeometry().size() - size();
     const QSize room = roomBelowHeader();
     other.resize(other.size().boundedTo(room));
     const QSize spare = room - other.size();
-    const QPoint corner = mapToGlobal(QPoint(0, height() - room.height() - frame.height()));
+    const QPoint corner = mapToGlobal(QPoint(0, height() - room.height() - frame().height()));
     other.move(corner + QPoint(spare.width() / 2, spare.height() / 2));
 }
 
@@ -129,24 +139,30 @@ int ConsoleWindow::largestToTry() const
 void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
-    while (!tryLetters()) continue;
+    do applyTried();
+    while (!triedFits());
 }
 
 void ConsoleWindow::fitLettersInTurns()
 {
-    if (tryLetters()) return;
     setUpdatesEnabled(false);  // hides the intermediate font sizes
+    applyTried();
     tryLater_.start(0);
 }
 
-bool ConsoleWindow::tryLetters()
+void ConsoleWindow::applyTried()
 {
     fits_ = false;  // fitting is in progress
+    frame_ = frame();
     tryLater_.stop();
     if (dock_) dock_->hide();
     letScroll(false);
     if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
         applyLook(*qApp, theme_, trying_);
+}
+
+bool ConsoleWindow::triedFits()
+{
     layOutAnew();
     const QSize needed = needs();
     if (needed.expandedTo(room()) != room()) {
@@ -163,6 +179,8 @@ bool ConsoleWindow::tryLetters()
     keepOnScreen();
     placeDock();
     setUpdatesEnabled(true);
+    // A repaint that was due while updates were off is dropped, and Qt then waits for it forever.
+    QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
     return true;
 }
 

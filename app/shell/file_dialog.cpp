@@ -1,6 +1,7 @@
 #include "app/shell/file_dialog.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHash>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "app/shell/console_window.h"
+#include "app/shell/new_file.h"
 #include "widgets/base/theme.h"
 
 namespace terratact {
@@ -18,6 +20,15 @@ QHash<QString, QString>& lastFolders()
 {
     static QHash<QString, QString> folders;
     return folders;
+}
+
+/// Returns the path of the file to propose; empty: the wish names none.
+QString startFile(const FileWish& wish)
+{
+    const QFileInfo start(wish.start);
+    if (wish.start.isEmpty() || start.isDir()) return {};
+    if (start.fileName() != wish.start) return start.absoluteFilePath();
+    return QDir(lastFolders().value(wish.title, documentsFolder())).filePath(wish.start);
 }
 
 /// A file dialog without the message boxes of QFileDialog, which would block every window.
@@ -35,11 +46,10 @@ public:
         setOption(ReadOnly);              // no renaming or deleting in this dialog
         setNameFilter(wish.filter);
         setAttribute(Qt::WA_DeleteOnClose);
-        const QFileInfo start(wish.start);
-        const bool isFile = !wish.start.isEmpty() && !start.isDir();
+        const QString proposed = startFile(wish);
         const QString folder = lastFolders().value(wish.title, wish.start);
-        if (isFile)
-            selectFile(start.absoluteFilePath());
+        if (!proposed.isEmpty())
+            selectFile(writes ? newFile(proposed) : proposed);
         else if (!folder.isEmpty())
             setDirectory(folder);
         connect(this, &QFileDialog::fileSelected, this, [title = wish.title](const QString& file) {

@@ -12,8 +12,9 @@ namespace terratact {
 struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite, Folder };
     QString title;
-    /// A file, or the start folder of the first call. Later dialogs with the same title begin where their last file
-    /// was. Empty: the last folder of any dialog, else the working directory.
+    /// A path, a file name alone, or the start folder of the first call. Later dialogs with the same title begin where
+    /// their last file was. A file name alone is proposed there, and at first in documentsFolder(). A file to write
+    /// gets a free name: newFile(). Empty: the last folder of any dialog, else the working directory.
     QString start{};
     QString filter{};  ///< in the format of QFileDialog
     Kind kind = Kind::Existing;

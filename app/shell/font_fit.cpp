@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "widgets/base/theme.h"
 
 namespace terratact {

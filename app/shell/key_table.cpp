@@ -120,8 +120,9 @@ QString KeyTable::html() const
         column +=
             QStringLiteral("<h3>%1</h3><table cellpadding=3>").arg(groups_[g].name.toHtmlEscaped());
         for (qsizetype i = groups_[g].begin; i < end; ++i)
-            column += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-                          .arg(namesOf(entries_[i]), entries_[i].meaning.toHtmlEscaped());
+            if (!entries_[i].meaning.isEmpty())
+                column += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                              .arg(namesOf(entries_[i]), entries_[i].meaning.toHtmlEscaped());
         column += QStringLiteral("</table>");
     }
     return QStringLiteral("<table width=100%><tr><td valign=top>%1</td><td width=40></td><td "

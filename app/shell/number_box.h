@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 
 class QDoubleSpinBox;
 class QWidget;

@@ -8,13 +8,13 @@
 #include <QtEndian>
 #include <utility>
 
-#include "app/modelling/truth_file.h"
+#include "app/modelling/truth/truth_file.h"
 #include "app/runtime/resources.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/remote_stop.h"
 #include "core/bags/recording.h"
-#include "core/log/session_schema.h"
-#include "core/wire/log_reader.h"
+#include "core/log/rows/session_schema.h"
+#include "core/wire/logs/log_reader.h"
 
 namespace terratact {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/shell/key_table.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "app/start/console_options.h"
 #include "core/base/result.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/shell/about.h"
 #include "app/shell/console_window.h"
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 
 namespace terratact {
 namespace {

@@ -27,7 +27,7 @@ struct ConsoleOptions {
     std::vector<std::string> dbc;  ///< DBC files
     std::uint64_t seed = 1;
     std::string screenshot;               ///< picture file
-    std::string theme, layout, language;  ///< names as in app/shell/preferences.h
+    std::string theme, layout, language;  ///< names as in app/shell/preferences/preferences.h
     std::string lengthUnit, angleUnit;    ///< names as in app/display/units.h
     int fontScale = 0;                    ///< [%] 0: as preferred
     bool safeMode = false;

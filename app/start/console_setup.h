@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/link/robot_file.h"
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "app/start/console_options.h"
 #include "core/base/message.h"
 

@@ -90,8 +90,9 @@ struct AtemInput {
     bool approved = false;      ///< operator approved the proposed probe
     double approvalAge = 0.0;   ///< [s] with approved: age of the approval
     std::string approvedFor{};  ///< with approved: fingerprint of its grounds
-    std::string grounds{};  ///< fingerprint of the present grounds, see core/atem/probe_grounds.h
-    bool refused = false;   ///< the operator refused the probe
+    std::string
+        grounds{};  ///< fingerprint of the present grounds, see core/atem/probe/probe_grounds.h
+    bool refused = false;  ///< the operator refused the probe
     bool linkAlive = true;
     bool armed = true;     ///< the robot accepts motion commands from this console
     bool halted = false;   ///< the robot stands still

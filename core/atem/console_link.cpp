@@ -280,7 +280,8 @@ LinkView ConsoleLink::view(double now) const
             .goodFor = goodSince_ && linkGood(now) ? now - *goodSince_ : 0.0,
             .foreignSender = foreignSender(now),
             .arming = arming_,
-            .robot = listener_.status()};
+            .robot = listener_.status(),
+            .moves = moves(now)};
 }
 
 }  // namespace terratact

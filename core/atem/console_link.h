@@ -24,6 +24,7 @@ struct LinkView {
     bool foreignSender = false;
     ArmingState arming;
     std::optional<RobotStatus> robot;
+    bool moves = true;  ///< see ConsoleLink::moves()
 };
 
 /// Console's end of the link. It receives the robot's frames and arms. It sends heartbeats for the

@@ -7,7 +7,7 @@
 #include "core/atem/arming.h"
 #include "core/atem/atem_machine.h"
 #include "core/base/message.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

@@ -4,7 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/log/checked_row.h"
+#include "core/log/rows/checked_row.h"
+#include "core/log/session_journal.h"
 #include "core/log/session_reader_impl.h"
 #include "core/store/file_read.h"
 
@@ -40,6 +41,7 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
                                            std::max<std::size_t>(atATime, 1));
         requireSessionSchema(impl->file, lacksJournal ? nameWithoutFolder(path) : std::string());
         impl->stored = readSessionStart(impl->file);
+        if (!sealed && !lacksJournal) requireOwnJournal(path, impl->file);
         impl->chain = impl->proven = impl->stored.hash;
         impl->chainCounts = chainCounts;
         static_cast<void>(impl->readMore());

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/log/session_hash.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_hash.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

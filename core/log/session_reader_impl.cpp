@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/log/checked_row.h"
+#include "core/log/rows/checked_row.h"
 
 namespace terratact {
 namespace {
@@ -34,7 +34,7 @@ void SessionReader::Impl::missJournal()
                       Message(TR_NOOP("core", "its journal %1 is not beside it: what was recorded "
                                               "after that is in there; both files belong "
                                               "together"),
-                              nameWithoutFolder(path) + "-wal")});
+                              nameWithoutFolder(SqliteFile::journalOf(path)))});
 }
 
 void SessionReader::Impl::loseJournal()
@@ -42,7 +42,7 @@ void SessionReader::Impl::loseJournal()
     damage.push_back({end, end,
                       Message(TR_NOOP("core", "its journal %1 is damaged from its beginning: what "
                                               "was recorded after that was in there"),
-                              nameWithoutFolder(path) + "-wal")});
+                              nameWithoutFolder(SqliteFile::journalOf(path)))});
 }
 
 void SessionReader::Impl::addDamage(const SessionBatch& batch, const Message& why)

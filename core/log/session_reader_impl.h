@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/log/rows/session_row_reader.h"
+#include "core/log/rows/session_schema.h"
+#include "core/log/rows/session_tables.h"
 #include "core/log/session_reader.h"
-#include "core/log/session_row_reader.h"
-#include "core/log/session_schema.h"
-#include "core/log/session_tables.h"
 #include "core/store/sqlite.h"
 
 namespace terratact {

@@ -2,7 +2,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/log/session_tables.h"
+#include "core/log/rows/session_tables.h"
+#include "core/log/session_journal.h"
 #include "core/log/session_writer.h"
 #include "core/store/file_read.h"
 #include "core/store/sqlite.h"
@@ -34,8 +35,10 @@ Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
                 path, TR_NOOP("core", "its journal is not beside it: both files belong together"));
         if (!evenAlone && SqliteFile::journalIsDamaged(path))
             return fileError(path, TR_NOOP("core", "its journal is damaged and cannot be read"));
+        SqliteFile::requireReadableJournal(path);
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
+        requireOwnJournal(path, file);
         if (!file.leaveJournal()) return SessionRecovery::InUse;
         SqliteFile alone = SqliteFile::reopenLog(path);
         return SessionWriter::finish(path, std::move(alone));

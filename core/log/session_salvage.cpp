@@ -11,10 +11,11 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/log/page_rows.h"
-#include "core/log/session_hash.h"
-#include "core/log/session_schema.h"
-#include "core/log/session_tables.h"
+#include "core/log/rows/page_rows.h"
+#include "core/log/rows/session_hash.h"
+#include "core/log/rows/session_schema.h"
+#include "core/log/rows/session_tables.h"
+#include "core/log/session_journal.h"
 #include "core/store/file_read.h"
 #include "core/store/sqlite.h"
 
@@ -285,7 +286,8 @@ Result<SalvagedPages> salvagePages(const std::string& path, const std::string& s
     try {
         SqliteFile file = emptySession(scratch, versionOf(path));
         made = true;
-        PageRows pages(path, kPageSize);
+        PageRows pages(path, kPageSize,
+                       hasForeignJournal(path) ? std::string() : SqliteFile::journalOf(path));
         const SalvagedPages found = Salvage(file, pages).run();
         file.close();
         if (found.batches > 0) return found;

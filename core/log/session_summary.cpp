@@ -7,9 +7,10 @@
 
 #include "core/atem/alarms.h"
 #include "core/infer/verdict/two_track_verdict.h"
-#include "core/log/checked_row.h"
-#include "core/log/session_row_reader.h"
-#include "core/log/session_tables.h"
+#include "core/log/rows/checked_row.h"
+#include "core/log/rows/session_row_reader.h"
+#include "core/log/rows/session_tables.h"
+#include "core/log/session_journal.h"
 #include "core/robot/robot_model.h"
 #include "core/store/file_read.h"
 
@@ -52,7 +53,7 @@ class SessionSummarizer {
 public:
     SessionSummarizer(SqliteFile& file, const std::stop_token& stop) : file_(file), stop_(stop) {}
 
-    SessionSummary read(SessionClosing closing, const std::string& lonely);
+    SessionSummary read(SessionClosing closing, const std::string& path, const std::string& lonely);
 
 private:
     void goOn();
@@ -91,12 +92,14 @@ std::int64_t SessionSummarizer::count(const std::string& what)
     return found;
 }
 
-SessionSummary SessionSummarizer::read(SessionClosing closing, const std::string& lonely)
+SessionSummary SessionSummarizer::read(SessionClosing closing, const std::string& path,
+                                       const std::string& lonely)
 {
     goOn();
     file_.grantBytes(kSummaryPasses);
     file_.run("BEGIN");  // one state of a file that is still being written
     requireSessionSchema(file_, lonely);
+    if (closing == SessionClosing::Open) requireOwnJournal(path, file_);
     const SessionStart start = readSessionStart(file_).start;
     summary_.closing = closing;
     summary_.wallTime = start.wallTime;
@@ -285,7 +288,7 @@ Result<SessionSummary> summarizeSession(const std::string& path, const std::stop
         } else if (SqliteFile::hasDamagedJournal(path)) {
             closing = SessionClosing::Torn;
         }
-        return SessionSummarizer(file, stop).read(closing, lonely);
+        return SessionSummarizer(file, stop).read(closing, path, lonely);
     } catch (const Failure& failure) {
         return fileError(path, failure.message());
     }

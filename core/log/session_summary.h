@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/verdict.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 
 namespace terratact {
 

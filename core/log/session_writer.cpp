@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/log/event_text.h"
-#include "core/log/session_row_checks.h"
+#include "core/log/rows/session_row_checks.h"
 #include "core/log/session_writer_impl.h"
 #include "core/store/file_read.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 #include "core/store/sqlite.h"
 
 namespace terratact {
@@ -13,7 +13,7 @@ namespace terratact {
 enum class SessionRecovery : std::uint8_t;
 
 /// Writes a session file (docs/sessions.md). Rows are collected in a transaction. commit() makes
-/// them a batch with the hashes of core/log/session_hash.h. Committed rows survive a crash of the
+/// them a batch with the hashes of core/log/rows/session_hash.h. Committed rows survive a crash of the
 /// process, and a power failure if the disk flushes when asked.
 ///
 /// One writer per file, used by one thread. After an Error of add() or commit(), the rows since the

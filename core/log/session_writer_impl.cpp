@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/log/message_json.h"
-#include "core/log/session_memory.h"
+#include "core/log/rows/message_json.h"
+#include "core/log/rows/session_memory.h"
 
 namespace terratact {
 namespace {

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "core/log/session_hash.h"
-#include "core/log/session_schema.h"
-#include "core/log/session_table_insert.h"
-#include "core/log/session_tables.h"
+#include "core/log/rows/session_hash.h"
+#include "core/log/rows/session_schema.h"
+#include "core/log/rows/session_table_insert.h"
+#include "core/log/rows/session_tables.h"
 #include "core/log/session_writer.h"
 #include "core/store/sqlite.h"
 

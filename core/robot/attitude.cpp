@@ -67,6 +67,8 @@ Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const Atti
     attitude.rollLimits = limitsInForce(attitude.rollTips, limits);
     attitude.pitch = levelOf(line.pitch, attitude.pitchLimits);
     attitude.roll = levelOf(line.roll, attitude.rollLimits);
+    attitude.beyondTipping = std::abs(line.pitch) > std::abs(attitude.pitchTips)
+                          || std::abs(line.roll) > std::abs(attitude.rollTips);
     return attitude;
 }
 

@@ -38,6 +38,7 @@ struct Attitude {
     double pitchTips = 0.0, rollTips = 0.0;
     /// Limits in force of |pitch| and |roll| on that side [rad].
     AttitudeLimits pitchLimits{}, rollLimits{};
+    bool beyondTipping = false;  ///< pitch or roll is beyond the angle at which the robot tips over
     AttitudeLevel worst() const { return pitch > roll ? pitch : roll; }
     bool operator==(const Attitude&) const = default;
 };

@@ -229,9 +229,15 @@ int NewFile::openTemporary() const
     return ::open(temporary_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
 }
 
+Status NewFile::flush() const
+{
+    const int code = flushToDisk(temporary_, 0);
+    return code == 0 ? Status(Done{}) : failed(code);
+}
+
 Status NewFile::commit()
 {
-    if (const int code = flushToDisk(temporary_, 0)) return failed(code);
+    if (Status flushed = flush(); !flushed) return flushed;
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed(errno);
     forgetUnfinished(temporary_);
     temporary_.clear();

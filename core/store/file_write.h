@@ -52,6 +52,9 @@ public:
     /// Returns a descriptor that the caller closes, or -1 and sets errno.
     int openTemporary() const;
 
+    /// Flushes the content to the disk. Errors name the file.
+    Status flush() const;
+
     /// Flushes the content to the disk and renames it to its final name.
     Status commit();
 

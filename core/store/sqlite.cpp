@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,6 +40,14 @@ std::string uriOf(const std::string& path, std::string_view options)
     return uri.append("?").append(options);
 }
 
+/// Returns the path of a file that SQLite keeps beside another: beside the file that a link means.
+std::string besideFile(const std::string& path, std::string_view ending)
+{
+    std::error_code none;
+    const std::filesystem::path target = std::filesystem::canonical(path, none);
+    return std::string(none ? path : target.string()).append(ending);
+}
+
 /// Returns the big-endian number of `bytes` bytes.
 std::uint64_t bigEndian(const char* at, int bytes)
 {
@@ -49,9 +58,8 @@ std::uint64_t bigEndian(const char* at, int bytes)
 
 constexpr std::string_view kMagic("SQLite format 3\0", 16);
 
-/// The first 100 bytes of the file.
-using Header = std::array<char, 100>;
-Header headerOf(const std::string& path)
+/// Refuses a directory, and a pipe or a device, whose reader would wait. It opens nothing.
+void requireFile(const std::string& path)
 {
     std::error_code unknown;
     const std::filesystem::file_status there = std::filesystem::status(path, unknown);
@@ -59,6 +67,13 @@ Header headerOf(const std::string& path)
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         throw SqliteError(TR_NOOP("core", "it is not a regular file, and an SQLite file is read "
                                           "back and forth: save it as a file first"));
+}
+
+/// The first 100 bytes of the file.
+using Header = std::array<char, 100>;
+Header headerOf(const std::string& path)
+{
+    requireFile(path);
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);
@@ -130,10 +145,20 @@ bool SqliteFile::isJournaled(const std::string& path)
     return headerOf(path)[18] == 2;  // write version of the file format
 }
 
+std::string SqliteFile::journalOf(const std::string& path)
+{
+    return besideFile(path, "-wal");
+}
+
 bool SqliteFile::lacksJournal(const std::string& path)
 {
+    const std::string journal = journalOf(path);
     std::error_code none;
-    return isJournaled(path) && !std::filesystem::exists(path + "-wal", none);
+    if (!std::filesystem::exists(std::filesystem::symlink_status(journal, none)))
+        return isJournaled(path);
+    const bool isEmpty = std::filesystem::is_regular_file(journal, none)
+                      && std::filesystem::file_size(journal, none) == 0;
+    return isEmpty && isJournaled(path);
 }
 
 /// Returns false if SQLite may not create or write files beside this one. Throws for any other
@@ -157,7 +182,7 @@ bool SqliteFile::journalIsDamaged(const std::string& path)
 
 bool SqliteFile::hasDamagedJournal(const std::string& path)
 {
-    const std::string journal = path + "-wal";
+    const std::string journal = journalOf(path);
     std::error_code none;
     if (!std::filesystem::is_regular_file(journal, none)) return false;
     const std::uintmax_t size = std::filesystem::file_size(journal, none);
@@ -165,14 +190,13 @@ bool SqliteFile::hasDamagedJournal(const std::string& path)
     return contentKindOfFile(journal) != ContentKind::Journal;
 }
 
-namespace {
-
-/// Throws if the journal beside a file cannot be read. SQLite would report that it cannot open the
-/// file.
-void requireReadableJournal(const std::string& path)
+// SQLite would report that it cannot open the file.
+void SqliteFile::requireReadableJournal(const std::string& path)
 {
-    const std::filesystem::path journal = path + "-wal";
+    const std::filesystem::path journal = journalOf(path);
     std::error_code none;
+    if (std::filesystem::is_symlink(journal, none))
+        throw SqliteError(TR_NOOP("core", "its journal is a symbolic link, which is not followed"));
     if (!std::filesystem::exists(journal, none)) return;  // its writer has just closed it
     const bool isFile = std::filesystem::is_regular_file(journal, none);
     if (isFile && ::access(journal.c_str(), R_OK) == 0) return;
@@ -185,8 +209,6 @@ void requireReadableJournal(const std::string& path)
         Message(TR_NOOP("core", "its journal %1 cannot be read: %2; both files belong together"),
                 name, systemMessage(code)));
 }
-
-}  // namespace
 
 SqliteFile SqliteFile::readLog(const std::string& path, int longest, std::string_view options)
 {
@@ -213,24 +235,51 @@ SqliteFile SqliteFile::readLogAlone(const std::string& path, int longest)
     return alone;
 }
 
+namespace {
+
+/// Returns true if an index that SQLite makes beside the file is one that its owner can write:
+/// SQLite gives it the mode of the file, and root gives it the owner of the file.
+bool makesUsableIndex(const std::string& path)
+{
+    struct stat file {};
+    if (::stat(path.c_str(), &file) != 0) return false;
+    const uid_t user = ::geteuid();
+    return (user == 0 || user == file.st_uid) && (file.st_mode & S_IWUSR) != 0;
+}
+
+}  // namespace
+
 SqliteFile SqliteFile::openLog(const std::string& path, int longest)
 {
     const bool journaled = isJournaled(path);
     if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
     if (!journaled || lacksJournal(path)) return readLog(path, longest, "mode=ro&immutable=1");
     requireReadableJournal(path);
-    SqliteFile file = readLog(path, longest, "mode=ro");
-    if (file.isReadable()) return file;
+    std::error_code none;
+    const bool hasIndex = std::filesystem::exists(besideFile(path, "-shm"), none);
+    if (hasIndex || makesUsableIndex(path)) {
+        SqliteFile file = readLog(path, longest, "mode=ro");
+        if (file.isReadable()) return file;
+    }
     return readLogAlone(path, longest);
+}
+
+SqliteFile SqliteFile::openLogWithoutJournal(const std::string& path, int longest)
+{
+    requireFile(path);
+    return readLog(path, longest, "mode=ro&immutable=1");
 }
 
 SqliteFile SqliteFile::openLogWithoutTrace(const std::string& path, int longest)
 {
+    const std::filesystem::path journal = journalOf(path);
     std::error_code none;
-    if (!std::filesystem::exists(path + "-wal", none)) return openLog(path, longest);
+    if (!std::filesystem::exists(journal, none) || lacksJournal(path))
+        return openLog(path, longest);
     requireReadableJournal(path);
     // Without an index no connection writes: neither of this process nor of another.
-    if (!std::filesystem::exists(path + "-shm", none)) return readLogAlone(path, longest);
+    if (!std::filesystem::exists(besideFile(path, "-shm"), none))
+        return readLogAlone(path, longest);
     SqliteFile file = readLog(path, longest, "mode=ro&readonly_shm=1");
     static_cast<void>(file.integer("PRAGMA schema_version"));
     return file;
@@ -248,7 +297,7 @@ void SqliteFile::grantBytes(int times)
     size_ = 0;
     for (const char* const end : {"", "-wal"}) {
         std::error_code none;
-        const std::uintmax_t size = std::filesystem::file_size(path_ + end, none);
+        const std::uintmax_t size = std::filesystem::file_size(besideFile(path_, end), none);
         if (!none) size_ += static_cast<std::int64_t>(size);
     }
     *bytesLeft_ = times * size_;

@@ -24,14 +24,19 @@ public:
 
     /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
     /// the structure on request. A file in WAL mode is still being written, or its writer died. It
-    /// is read with the journal beside it, if there is one, even from a write-protected folder.
-    /// Texts and blobs have at most `longest` bytes, and grantBytes() bounds all values together.
+    /// is read with the journal beside it, if there is one, even from a write-protected folder. A
+    /// file of another user is read without a trace, because its owner could not write an index
+    /// that this user made. Texts and blobs have at most `longest` bytes, and grantBytes() bounds
+    /// all values together.
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Opens a log as openLog(), but leaves no file beside it. It disturbs no writer, not even one
     /// of this process. A file with a journal beside it is opened by SQLite alone: closing any
     /// other descriptor would release this process's locks on it.
     static SqliteFile openLogWithoutTrace(const std::string& path, int longest);
+
+    /// Opens a log as openLog(), but ignores its journal.
+    static SqliteFile openLogWithoutJournal(const std::string& path, int longest);
 
     /// Returns true if the connection reads in WAL mode, with a journal.
     bool readsJournal();
@@ -40,8 +45,14 @@ public:
     /// it is no SQLite file.
     static bool isJournaled(const std::string& path);
 
-    /// Returns true if the journal of a file in WAL mode is missing.
+    /// Returns the path of a file's journal, existing or not: beside the file that a link means.
+    static std::string journalOf(const std::string& path);
+
+    /// Returns true if the journal of a file in WAL mode is missing or empty.
     static bool lacksJournal(const std::string& path);
+
+    /// Throws if the journal beside a file cannot be read: it is a link, no file, or not permitted.
+    static void requireReadableJournal(const std::string& path);
 
     /// Returns true if the journal of a file in WAL mode is invalid and cannot be read.
     static bool journalIsDamaged(const std::string& path);

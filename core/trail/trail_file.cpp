@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/learn/model/model_checks.h"
-#include "core/learn/model/model_surfaces.h"
+#include "core/learn/model/file/model_checks.h"
+#include "core/learn/model/file/model_surfaces.h"
 #include "core/store/canonical_bytes.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"

@@ -886,6 +886,10 @@
         <translation>rameno je ještě venku: počkejte na jeho návrat, nebo stiskněte STOP</translation>
     </message>
     <message>
+        <source>pitch or roll is beyond the tip-over angle: bring the robot back onto its tracks first</source>
+        <translation>podélný nebo příčný náklon je za úhlem převrácení: nejprve vraťte robot na pásy</translation>
+    </message>
+    <message>
         <source>left and right are estimated separately</source>
         <translation>vlevo a vpravo se odhaduje zvlášť</translation>
     </message>
@@ -5995,6 +5999,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1: the column %2 was read as %3</source>
         <translation>%1: sloupec %2 byl přečten jako %3</translation>
     </message>
+    <message>
+        <source>its journal %1 was written for another session: move it away</source>
+        <translation>její žurnál %1 patří jiné relaci: přesuňte ho jinam</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7526,12 +7534,12 @@ F1</translation>
         <translation>žádný odhad nelze vrátit</translation>
     </message>
     <message>
-        <source>the built-in ground ends here: drive back, or start with another --terrain</source>
-        <translation>vestavěný terén zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
+        <source>the robot drives no further: the built-in ground ends here, or is too steep. Drive back, or start with another --terrain</source>
+        <translation>robot dál nejede: vestavěný terén zde končí, nebo je příliš strmý. Jeďte zpět, nebo začněte s jiným --terrain</translation>
     </message>
     <message>
-        <source>the ground of the file %1 ends here: drive back, or start with another --terrain</source>
-        <translation>terén souboru %1 zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
+        <source>the robot drives no further: the ground of the file %1 ends here, or is too steep. Drive back, or start with another --terrain</source>
+        <translation>robot dál nejede: terén souboru %1 zde končí, nebo je příliš strmý. Jeďte zpět, nebo začněte s jiným --terrain</translation>
     </message>
     <message>
         <source>the robot reports driving, but its tracks do not move</source>
@@ -7584,6 +7592,10 @@ F1</translation>
     <message>
         <source>the robot says that it is stopped</source>
         <translation>robot hlásí, že je zastaven</translation>
+    </message>
+    <message>
+        <source>The probe was refused</source>
+        <translation>Sonda byla odmítnuta</translation>
     </message>
 </context>
 <context>
@@ -8294,7 +8306,7 @@ F1</translation>
     </message>
     <message>
         <source>ask for a probe: of the selected bin, else of the best one</source>
-        <translation>požádat o sondu: úseku zobrazeného zblízka, jinak nejlepšího</translation>
+        <translation>požádat o sondu: zvoleného bodu, jinak nejlepšího</translation>
     </message>
     <message>
         <source>abort the exploration; its result stays</source>
@@ -8314,11 +8326,11 @@ F1</translation>
     </message>
     <message>
         <source>no bin is selected: point at a bin first</source>
-        <translation>o sondu se nežádá: nejdřív ukažte na úsek</translation>
+        <translation>není zvolen žádný bod: nejdřív na nějaký ukažte</translation>
     </message>
     <message>
-        <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
-        <translation>V prohlížení tyto klávesy posouvají čas, ne robota: A, B, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů.</translation>
+        <source>In a review, these keys move in time and no robot: A, B, F, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
+        <translation>V prohlížení tyto klávesy posouvají čas, ne robota: A, B, F, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů.</translation>
     </message>
     <message>
         <source>feel forward: press, estimate and advance while CLEAR</source>
@@ -8420,6 +8432,10 @@ F1</translation>
         <source>not armed: %1</source>
         <translation>není aktivní: %1</translation>
     </message>
+    <message>
+        <source>colours and letters change once the robot stands still</source>
+        <translation>barvy a velikost písma se změní, až robot stojí</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -8460,7 +8476,7 @@ F1</translation>
     </message>
     <message>
         <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4. The verdict&apos;s P counts steps over two bins (%5) anywhere ahead, the column those to the next bin alone</source>
-        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4. P verdiktu počítá schody přes dva úseky (%5) kdekoli vpředu, sloupec jen ty k dalšímu úseku</translation>
+        <translation>%1, %2 vzorků, semínko %3; výšky nad IMU, schody nad %4. P verdiktu počítá schody přes dva body (%5) kdekoli vpředu, sloupec jen ty k dalšímu bodu</translation>
     </message>
 </context>
 <context>
@@ -8539,7 +8555,7 @@ F1</translation>
     </message>
     <message>
         <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
-        <translation>P schodu jen k dalšímu úseku; P verdiktu počítá schody do %1, tedy přes dva úseky, a kdekoli vpředu</translation>
+        <translation>P schodu jen k dalšímu bodu; P verdiktu počítá schody do %1, tedy přes dva body, a kdekoli vpředu</translation>
     </message>
 </context>
 <context>
@@ -9896,7 +9912,7 @@ F1</translation>
         <translation>na další: %1 (s Alt: předchozí)</translation>
     </message>
     <message>
-        <source>to the begin</source>
+        <source>to the beginning</source>
         <translation>na začátek</translation>
     </message>
     <message>
@@ -10094,8 +10110,8 @@ F1</translation>
         <translation>po novém spuštění</translation>
     </message>
     <message>
-        <source>In the console the same keys send commands. A explores, B asks for a probe, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
-        <translation>V konzoli tytéž klávesy vysílají povely. A zkoumá, B žádá o sondu, M aktivuje, mezerník schvaluje sondu. Šipky nahoru a dolů jedou, Page Up a Down mění mez. P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný úsek.</translation>
+        <source>In the console the same keys send commands. A explores, B asks for a probe, F feels forward and drives, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>V konzoli tytéž klávesy vysílají povely. A zkoumá, B žádá o sondu, F ohmatává vpřed a jede, M aktivuje, mezerník schvaluje sondu. Šipky nahoru a dolů jedou, Page Up a Down mění mez. P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný bod.</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -10511,6 +10527,10 @@ F1</translation>
     <message>
         <source>P(step &gt; %1 m) = %2 % ± %3</source>
         <translation>P(schod &gt; %1 m) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3 % ± %4</source>
+        <translation>P(schod &gt; %1 m do %2 m) = %3 % ± %4</translation>
     </message>
     <message>
         <source>not felt: %1</source>
@@ -11129,7 +11149,7 @@ F1</translation>
     </message>
     <message>
         <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
-        <translation>Propasti a stěny. Od 5 % potřebuje VOLNO ohmatané všechny úseky, kam přední flippery sahají; nižší hodnoty připouštějí terén, který flippery překlenují</translation>
+        <translation>Propasti a stěny. Od 5 % potřebuje VOLNO ohmatané všechny body, kam přední flippery sahají; nižší hodnoty připouštějí terén, který flippery překlenují</translation>
     </message>
     <message>
         <source>Pitch or roll is steep from</source>
@@ -11599,10 +11619,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
     </message>
     <message>
-        <source>No probe: the estimate is certain without the arm.</source>
-        <translation>Bez sondy: odhad je jistý i bez ramene.</translation>
-    </message>
-    <message>
         <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
         <translation>Sonda se nenavrhuje. Po průzkumu se rameno nabídne tam, kde terén zůstal nejistý.</translation>
     </message>
@@ -11867,7 +11883,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>bin %1: %2</source>
-        <translation>úsek %1: %2</translation>
+        <translation>bod %1: %2</translation>
     </message>
     <message>
         <source>%1: height %2 ± %3</source>
@@ -12805,7 +12821,7 @@ vpředu</translation>
     </message>
     <message>
         <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
-        <translation>Schod: dva úseky nejvýše %3 od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 před IMU</translation>
+        <translation>Schod: dva body nejvýše %3 od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 před IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>

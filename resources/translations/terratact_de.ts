@@ -886,6 +886,10 @@
         <translation>der Arm ist noch draußen: warten, bis er zurück ist, oder STOP drücken</translation>
     </message>
     <message>
+        <source>pitch or roll is beyond the tip-over angle: bring the robot back onto its tracks first</source>
+        <translation>Nick- oder Rollwinkel liegt jenseits des Kippwinkels: erst den Roboter wieder auf seine Ketten bringen</translation>
+    </message>
+    <message>
         <source>left and right are estimated separately</source>
         <translation>links und rechts werden getrennt geschätzt</translation>
     </message>
@@ -5995,6 +5999,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1: the column %2 was read as %3</source>
         <translation>%1: die Spalte %2 wurde als %3 gelesen</translation>
     </message>
+    <message>
+        <source>its journal %1 was written for another session: move it away</source>
+        <translation>ihr Journal %1 gehört zu einer anderen Sitzung: legen Sie es anderswohin</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7526,12 +7534,12 @@ F1</translation>
         <translation>keine Schätzung kann zurückgeholt werden</translation>
     </message>
     <message>
-        <source>the built-in ground ends here: drive back, or start with another --terrain</source>
-        <translation>der eingebaute Boden endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
+        <source>the robot drives no further: the built-in ground ends here, or is too steep. Drive back, or start with another --terrain</source>
+        <translation>der Roboter fährt nicht weiter: der eingebaute Boden endet hier oder ist zu steil. Zurückfahren, oder mit anderem --terrain starten</translation>
     </message>
     <message>
-        <source>the ground of the file %1 ends here: drive back, or start with another --terrain</source>
-        <translation>der Boden der Datei %1 endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
+        <source>the robot drives no further: the ground of the file %1 ends here, or is too steep. Drive back, or start with another --terrain</source>
+        <translation>der Roboter fährt nicht weiter: der Boden der Datei %1 endet hier oder ist zu steil. Zurückfahren, oder mit anderem --terrain starten</translation>
     </message>
     <message>
         <source>the robot reports driving, but its tracks do not move</source>
@@ -7584,6 +7592,10 @@ F1</translation>
     <message>
         <source>the robot says that it is stopped</source>
         <translation>der Roboter meldet, dass er gestoppt ist</translation>
+    </message>
+    <message>
+        <source>The probe was refused</source>
+        <translation>Die Sondierung wurde abgelehnt</translation>
     </message>
 </context>
 <context>
@@ -8293,7 +8305,7 @@ F1</translation>
     </message>
     <message>
         <source>ask for a probe: of the selected bin, else of the best one</source>
-        <translation>nach einer Sondierung fragen: des nah gezeigten Abschnitts, sonst des besten</translation>
+        <translation>nach einer Sondierung fragen: des gewählten Feldes, sonst des besten</translation>
     </message>
     <message>
         <source>abort the exploration; its result stays</source>
@@ -8313,11 +8325,11 @@ F1</translation>
     </message>
     <message>
         <source>no bin is selected: point at a bin first</source>
-        <translation>es wird nicht nach einer Sondierung gefragt: zuerst auf einen Abschnitt zeigen</translation>
+        <translation>kein Feld ist gewählt: zuerst auf ein Feld zeigen</translation>
     </message>
     <message>
-        <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
-        <translation>In einer Durchsicht bewegen diese Tasten die Zeit und keinen Roboter: A, B, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
+        <source>In a review, these keys move in time and no robot: A, B, F, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
+        <translation>In einer Durchsicht bewegen diese Tasten die Zeit und keinen Roboter: A, B, F, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
     </message>
     <message>
         <source>feel forward: press, estimate and advance while CLEAR</source>
@@ -8419,6 +8431,10 @@ F1</translation>
         <source>not armed: %1</source>
         <translation>nicht freigegeben: %1</translation>
     </message>
+    <message>
+        <source>colours and letters change once the robot stands still</source>
+        <translation>Farben und Schriftgröße ändern sich, sobald der Roboter steht</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -8459,7 +8475,7 @@ F1</translation>
     </message>
     <message>
         <source>%1, %2 draws, seed %3; heights above the IMU, steps of more than %4. The verdict&apos;s P counts steps over two bins (%5) anywhere ahead, the column those to the next bin alone</source>
-        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4. Das P des Urteils zählt Stufen über zwei Abschnitte (%5) irgendwo voraus, die Spalte nur die zum nächsten Abschnitt</translation>
+        <translation>%1, %2 Ziehungen, Startwert %3; Höhen über der IMU, Stufen über %4. Das P des Urteils zählt Stufen über zwei Felder (%5) irgendwo voraus, die Spalte nur die zum nächsten Feld</translation>
     </message>
 </context>
 <context>
@@ -8538,7 +8554,7 @@ F1</translation>
     </message>
     <message>
         <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
-        <translation>P einer Stufe nur zum nächsten Abschnitt; das P des Urteils zählt Stufen innerhalb von %1, also über zwei Abschnitte, und irgendwo voraus</translation>
+        <translation>P einer Stufe nur zum nächsten Feld; das P des Urteils zählt Stufen innerhalb von %1, also über zwei Felder, und irgendwo voraus</translation>
     </message>
 </context>
 <context>
@@ -9895,7 +9911,7 @@ F1</translation>
         <translation>zum nächsten: %1 (mit Alt: davor)</translation>
     </message>
     <message>
-        <source>to the begin</source>
+        <source>to the beginning</source>
         <translation>zum Anfang</translation>
     </message>
     <message>
@@ -10093,8 +10109,8 @@ F1</translation>
         <translation>ab dem nächsten Start</translation>
     </message>
     <message>
-        <source>In the console the same keys send commands. A explores, B asks for a probe, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
-        <translation>In der Konsole senden dieselben Tasten Befehle. A erkundet, B fragt nach einer Sondierung, M gibt frei, Leertaste genehmigt eine Sondierung. Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze. P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Abschnitt.</translation>
+        <source>In the console the same keys send commands. A explores, B asks for a probe, F feels forward and drives, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>In der Konsole senden dieselben Tasten Befehle. A erkundet, B fragt nach einer Sondierung, F tastet sich vor und fährt, M gibt frei, Leertaste genehmigt eine Sondierung. Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze. P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Feld.</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -10510,6 +10526,10 @@ F1</translation>
     <message>
         <source>P(step &gt; %1 m) = %2 % ± %3</source>
         <translation>P(Stufe &gt; %1 m) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m to %2 m) = %3 % ± %4</source>
+        <translation>P(Stufe &gt; %1 m bis %2 m) = %3 % ± %4</translation>
     </message>
     <message>
         <source>not felt: %1</source>
@@ -11128,7 +11148,7 @@ F1</translation>
     </message>
     <message>
         <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
-        <translation>Abgründe und Wände. Ab 5 % braucht FREI jeden Abschnitt ertastet, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
+        <translation>Abgründe und Wände. Ab 5 % braucht FREI jedes Feld ertastet, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
     </message>
     <message>
         <source>Pitch or roll is steep from</source>
@@ -11596,10 +11616,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>The proposal was not answered in time and counts as refused.</source>
         <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
-    </message>
-    <message>
-        <source>No probe: the estimate is certain without the arm.</source>
-        <translation>Keine Sondierung: die Schätzung ist ohne den Arm sicher.</translation>
     </message>
     <message>
         <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
@@ -12804,7 +12820,7 @@ voraus</translation>
     </message>
     <message>
         <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
-        <translation>Eine Stufe: zwei Abschnitte, höchstens %3 voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 vor der IMU</translation>
+        <translation>Eine Stufe: zwei Felder, höchstens %3 voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 vor der IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Arranges the pictures of a folder (tests/app/console/screens_test.cpp) on readable sheets of nine, in their order:
+# Arranges the pictures of a folder (tests/app/console/screens/screens_test.cpp) on readable sheets of nine, in their order:
 # DIR/sheet-01.png, … Needs imagemagick. NAMES: shell pattern of the pictures (default: all).
 #   tests/app/contact_sheet.sh DIR [NAMES]
 set -eu

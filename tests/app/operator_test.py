@@ -19,6 +19,10 @@ APPROVE = 0x5A1490  # colour of the button in widgets/base/palette.h
 PROPOSED, STANDS = "proposing-probe", "presenting"
 
 
+class Failed(Exception):
+    """An exploration failed, because a busy machine froze the window and the console disarmed."""
+
+
 class Console(unittest.TestCase):
     def begins(self, *arguments, size="1600x1000"):
         folder = tempfile.TemporaryDirectory()
@@ -48,20 +52,61 @@ class Console(unittest.TestCase):
             operator.until(lambda: len(operator.phases()) > since, 2)
         return since
 
-    def comes_before_failed(self, phase, since, what):
-        """Waits for the phase. Returns false if the exploration fails first, because the window froze."""
-        self.operator.until(lambda: self.came(phase, since) or self.came("failed", since), what=what)
-        return self.came(phase, since)
+    def at_a_proposal(self, does):
+        """Explores until a probe is proposed, then does it. Both again if the exploration fails meanwhile."""
+        while True:
+            since = self.begins_to_explore()
+            try:
+                self.until(since, lambda: self.came(PROPOSED, since), "a proposal")
+                self.until(since, lambda: self.screen.middle_of(APPROVE), "a button to approve")
+                return does(since)
+            except Failed:
+                pass
 
-    def explores(self):
-        """Explores until a probe is proposed."""
-        while not self.comes_before_failed(PROPOSED, self.begins_to_explore(), "a proposal"):
-            pass
-        self.operator.until(lambda: self.screen.middle_of(APPROVE), what="a button to approve")
+    def until(self, since, condition, what):
+        """Waits for the condition, in an exploration with this number of earlier phases."""
+        def ends():
+            if self.came("failed", since):
+                raise Failed
+            return condition()
+        self.operator.until(ends, what=what)
 
     def ends_well(self):
         self.console.terminate()
         self.assertEqual(self.console.wait(timeout=60), 0)
+
+    def refuses_after_short_holds(self, since):
+        operator = self.operator
+        operator.does("keydown space")
+        time.sleep(0.4)
+        operator.does("keyup space")
+        x, y = self.button(since)
+        operator.does(f"mousemove {x} {y} mousedown 1")
+        time.sleep(0.4)
+        operator.does("mouseup 1")
+        operator.does(f"mousedown 1 mousemove 5 {y}")
+        time.sleep(2.0)
+        operator.does("mouseup 1")
+        self.assertNotIn("approve", operator.decisions(), "let go early, or elsewhere")
+        asked, decided = len(operator.phases()), len(operator.decisions())
+        operator.presses("n")
+        self.until(since, lambda: "refuse" in operator.decisions()[decided:], "a refusal")
+        self.until(since, lambda: self.came(STANDS, asked), "an estimate that is certain without the arm")
+
+    def approves_then_stops(self, since):
+        operator = self.operator
+        decided = len(operator.decisions())
+        x, y = self.button(since)
+        operator.does(f"mousemove {x} {y} mousedown 1")
+        self.until(since, lambda: "approve" in operator.decisions()[decided:], "an approval by mouse")
+        operator.does("mouseup 1")
+        operator.presses("F12")
+        operator.until(lambda: self.came("stopped", since), what="STOPPED")
+
+    def button(self, since):
+        """Returns the middle of the button to approve."""
+        self.until(since, lambda: self.screen.middle_of(APPROVE), "a button to approve")
+        return self.screen.middle_of(APPROVE)
 
     def test_mouse_and_keys_answer_a_proposal(self):
         for letters in (100, 200):
@@ -69,31 +114,8 @@ class Console(unittest.TestCase):
                 self.begins("--font-scale", str(letters))
                 operator = self.operator
 
-                self.explores()
-                operator.does("keydown space")
-                time.sleep(0.4)
-                operator.does("keyup space")
-                x, y = self.screen.middle_of(APPROVE)
-                operator.does(f"mousemove {x} {y} mousedown 1")
-                time.sleep(0.4)
-                operator.does("mouseup 1")
-                operator.does(f"mousedown 1 mousemove 5 {y}")
-                time.sleep(2.0)
-                operator.does("mouseup 1")
-                self.assertNotIn("approve", operator.decisions(), "let go early, or elsewhere")
-                since = len(operator.phases())
-                operator.presses("n")
-                operator.until(lambda: "refuse" in operator.decisions(), what="a refusal")
-                operator.until(lambda: self.came(STANDS, since), what="an estimate that is certain without the arm")
-
-                self.explores()
-                since = len(operator.phases())
-                x, y = self.screen.middle_of(APPROVE)
-                operator.does(f"mousemove {x} {y} mousedown 1")
-                operator.until(lambda: "approve" in operator.decisions(), what="an approval by mouse")
-                operator.does("mouseup 1")
-                operator.presses("F12")
-                operator.until(lambda: self.came("stopped", since), what="STOPPED")
+                self.at_a_proposal(self.refuses_after_short_holds)
+                self.at_a_proposal(self.approves_then_stops)
                 operator.presses("ctrl+shift+q")  # a key without meaning
                 since = len(operator.phases())
                 operator.holds("r", lambda: len(operator.phases()) > since, 20)
@@ -106,10 +128,8 @@ class Console(unittest.TestCase):
         self.begins_to_explore()
         operator.presses("Escape")
         operator.until(lambda: operator.events("phase")[-1][1] in ("idle", "failed"), what="the end of it")
-        while True:
-            self.explores()
-            if self.comes_before_failed(STANDS, len(operator.phases()), "a proposal that expires"):
-                break
+        self.at_a_proposal(
+            lambda since: self.until(since, lambda: self.came(STANDS, since), "a proposal that expires"))
         self.assertNotIn("approve", operator.decisions())
         self.ends_well()
 

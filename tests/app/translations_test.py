@@ -14,6 +14,8 @@ SPACE = {"cs": "(mezerník)", "de": "(Leertaste)"}  # as on the keyboards of the
 STOPS = {"stop": "STOP", "release stop": "release STOP", "atem": "ATEM"}  # operator actions in session records
 # STOP is a software stop. No text may promise an emergency stop that cuts the power.
 EMERGENCY = re.compile(r"nouzov.*(zastav|stop)|\bnot-?(aus|halt|stopp)|\be-?stop|emergency stop", re.IGNORECASE)
+# A bin has one word in each language. These are words for other things.
+OTHER_BINS = re.compile(r"\babschnitt|\búse(?:k|cích)", re.IGNORECASE)
 
 
 def keeps(source, text, language):
@@ -31,6 +33,8 @@ def trouble(file):
             where = f"{file.name}, {context.find('name').text}: {source!r}"
             if EMERGENCY.search(source) or EMERGENCY.search(translation.text or ""):
                 yield f"{where}: {translation.text!r} calls STOP an emergency stop"
+            if re.search(r"\bbins?\b", source) and OTHER_BINS.search(translation.text or ""):
+                yield f"{where}: {translation.text!r} has another word for a bin"
             if translation.get("type") == "unfinished" or not translation.text:
                 yield f"{where} is not translated"
             elif not keeps(STOPS.get(source, source), translation.text, file.stem[-2:]):

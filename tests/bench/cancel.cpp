@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/estimate/quality_preset.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 
 namespace terratact {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/learn/data/ground_file.h"
 #include "core/robot/side_plane.h"

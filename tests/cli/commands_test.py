@@ -125,79 +125,12 @@ class Commands(unittest.TestCase):
         self.assertIn(b"<svg", (out / "tradeoff.svg").read_bytes())
         self.assertEqual((out / "tradeoff.png").read_bytes()[:4], b"\x89PNG")
 
-    def test_simulation_repeats_for_a_seed(self):
-        again, other = self.path / "again.csv", self.path / "other.csv"
-        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--out", again)
-        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 4, "--out", other)
-        self.assertEqual(self.data.read_bytes(), again.read_bytes())
-        self.assertNotEqual(self.data.read_bytes(), other.read_bytes())
-
-    def test_disturbances_change_scenes_but_not_drives(self):
-        dead, soft = self.path / "dead.csv", self.path / "soft.csv"
-        for name, out in (("dead-element", dead), ("soft-ground", soft)):
-            run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--disturb", name, "--out", out)
-        self.assertEqual({row["force_4_n"] for row in rows(dead)}, {"0"})
-        self.assertEqual([row["force_5_n"] for row in rows(dead)], [row["force_5_n"] for row in rows(self.data)])
-        self.assertNotEqual([row["pitch_rad"] for row in rows(soft)], [row["pitch_rad"] for row in rows(self.data)])
-        complaint("simulate", "--terrain", "boxes", "--disturb", "earthquake", "--out", dead, code=2)
-
     def test_contacts_shows_a_table_per_rule(self):
         text = run("contacts", "--data", self.data)
         self.assertIn("contact rule: isolated", text)
         self.assertIn("contact rule: any", text)
         self.assertEqual(len([line for line in text.splitlines() if line.split()[:1] == ["all"]]), 2)
         self.assertIn("no contact", complaint("contacts", "--data", self.data, "--threshold", 900))
-
-    def test_soft_drives_are_a_share_of_the_drives(self):
-        none, all_soft = self.path / "firm.csv", self.path / "soft_drives.csv"
-        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 0, "--out", none)
-        run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 1, "--out", all_soft)
-        self.assertEqual(self.data.read_bytes(), none.read_bytes())
-        # A sunken robot is nearer to the ground.
-        below = [[float(row["h_+0.0_m"]) for row in rows(file)] for file in (self.data, all_soft)]
-        self.assertGreater(sum(below[1]) / len(below[1]), sum(below[0]) / len(below[0]) + 0.005)
-        complaint("simulate", "--terrain", "boxes", "--soft-drives", 1.5, "--out", none, code=2)
-
-    def test_drives_have_telemetry_between_scenes(self):
-        out = self.path / "drives.csv"
-        drives = ("simulate", "--terrain", "varied", "--drives", 2, "--seed", 3, "--out", out)
-        said = run(*drives, "--spacing", 0.6, "--slip", 0, "--gap", 1)
-        lines = rows(out)
-        scenes = sum(row["kind"] == "scene" for row in lines)
-        self.assertIn(f"2 drives over varied with {len(lines)} lines and {scenes} scenes", said)
-        self.assertGreater(len(lines), 10 * scenes)
-        self.assertTrue(all((row["h_+0.7_m"] != "") == (row["kind"] == "scene") for row in lines))
-        level = [float(row["pitch_rad"]) for row in lines]
-        run(*drives, "--spacing", 0.6, "--slip", 0, "--gap", 1, "--pitch-bias", 3)
-        tilted = [float(row["pitch_rad"]) for row in rows(out)]
-        self.assertTrue(all(abs(b - a - 0.05236) < 2e-5 for a, b in zip(level, tilted, strict=True)))
-        run(*drives, "--spacing", 0.6, "--press-share", 0, "--tracks")
-        self.assertEqual({row["kind"] for row in rows(out)}, {"way"})
-        self.assertIn("left_h_+0.7_m", rows(out)[0])
-        self.assertIn("--drives", complaint("simulate", "--terrain", "boxes", "--drives", 2, "--out", out, code=2))
-        complaint(*drives, "--count", 5, code=2)
-        complaint("simulate", "--terrain", "varied", "--gap", 2, "--out", out, code=2)
-
-    def test_networks_learn_from_drives_and_are_evaluated(self):
-        needs_no_sanitizer(self, IN_CORE)
-        drives, tracks, networks = (self.path / name for name in ("way.csv", "tracks.csv", "small.ttn"))
-        simulate = ("simulate", "--terrain", "varied", "--drives", 22, "--spacing", 0.1, "--exact-truth", "--seed", 4)
-        run(*simulate, "--out", drives)
-        run(*simulate, "--tracks", "--out", tracks)
-        train = ("train", "--drives", drives, "--track-drives", tracks, "--networks", 1, "--epochs", 2)
-        self.assertIn("1 of one plane, 1 of two tracks", run(*train, "--out", networks))
-        learnt = networks.read_bytes()
-        run(*train, "--out", networks)
-        self.assertEqual(learnt, networks.read_bytes(), "the same drives and seed")
-        for data, sides in ((drives, 1), (tracks, 2)):
-            text = run("evaluate", "--drives", data, "--trail", networks)
-            self.assertRegex(text, r"22 drives\n\n\d+ scenes after 0.85 m")
-            for method in ("local", "trail"):
-                self.assertRegex(text, rf"\n{method} +\d+\.\d\d +\d+\.\d\d +\d+\.\d ")
-        self.assertIn("two tracks", complaint("train", "--drives", tracks, "--out", networks))
-        self.assertIn("not trail networks", complaint("evaluate", "--drives", drives, "--trail", self.model))
-        complaint("evaluate", "--drives", drives, "--data", self.data, code=2)
-        complaint("evaluate", "--data", self.data, code=2)
 
     def test_faults_prints_which_faults_are_noticed(self):
         needs_no_sanitizer(self, IN_CORE)
@@ -358,7 +291,9 @@ class Commands(unittest.TestCase):
         error = {(row["approach"], row["what"]): float(row["median_m"]) for row in rows(out / "tracks.csv")}
         self.assertLess(error["two tracks", "beyond"], error["one plane", "beyond"])
         self.assertIn("two tracks", table)
-        run("evaluate", "--tracks", "--missing", "--model", model, "--data", scenes, "--methods", "local", "--out", out)
+        done = subprocess.run([CLI, "evaluate", "--tracks", "--missing", "--model", model, "--data", scenes, "--methods",
+                               "local", "--out", out], capture_output=True, text=True, timeout=500, check=True)
+        self.assertRegex(done.stderr, r"1(\d\d) of 1\1 scenes are training scenes of this model")
         self.assertIn("right array", [row["not_measured"] for row in rows(out / "missing.csv")])
         estimates = self.path / "est_two.csv"
         run("reconstruct", "--tracks", "--model", model, "--data", scenes, "--out", estimates)
@@ -434,16 +369,6 @@ class Commands(unittest.TestCase):
         index.write_text("row,source\n1,made up\n")
         self.assertIn("no column class", complaint("evaluate", "--model", self.model, "--data", self.data, "--out", out,
                                                    "--classes", index))
-
-    def test_real_profiles_of_both_formats_are_driven(self):
-        points = self.path / "points.csv"
-        points.write_text("x,z\n0,0\n2,0\n2,0.2\n5,0.2\n")
-        heights = self.path / "heights.csv"
-        heights.write_text("0,0.01,0.02,0,0,0.1,0.1,0.1,0,0,0,0\n" * 3)
-        for file in (points, heights):
-            out = self.path / "driven.csv"
-            run("simulate", "--terrain", file, "--exact-truth", "--out", out)
-            self.assertGreaterEqual(len(rows(out)), 3)
 
     def test_the_demo_does_the_whole_job(self):
         out = self.path / "demo"

@@ -240,6 +240,8 @@ class FullDisks(Scenes):
         (self.path / "p.csv").write_text("old")
         self.assertEqual(too_large(100, command), ["p.csv", "scenes.csv"])
         self.assertEqual((self.path / "p.csv").read_text(), "old")
+        nowhere = command.replace("s.csv", "none/s.csv --recording r.mcap")
+        self.assertEqual(too_large("unlimited", nowhere), ["p.csv", "scenes.csv"])
         self.assertEqual(too_large(30, "evaluate --data scenes.csv --methods local --out ev"), ["p.csv", "scenes.csv"])
 
     def test_a_full_disk_of_a_session_is_named_with_what_to_do(self):

@@ -180,6 +180,16 @@ class WithoutJournal(Damaged):
         self.assertGreater(frames_in(out), 3000)
         self.assertEqual(journal.read_bytes(), b"garbage " * 5000)
 
+    def test_no_hint_names_a_recovery_that_is_refused(self):
+        make("open", self.path / "open.tts")
+        journal = self.path / "open.tts-wal"
+        journal.rename(self.path / "real")
+        journal.symlink_to("real")
+        for command in ("info", "recover"):
+            said = complaint("session", command, self.path / "open.tts")
+            self.assertIn("its journal is a symbolic link", said)
+            self.assertNotIn("saves what is whole", said)
+
     def test_an_older_main_file_names_its_journal(self):
         path = self.path / "older.tts"
         file = sqlite3.connect(path)
@@ -241,6 +251,22 @@ class NothingCanBeWritten(Damaged):
         self.assertNotIn("lost", said)
         self.assertEqual(frames_in(self.out / "closed.tts"), 500)
         self.assertNotIn("not closed", run("session", "verify", self.out / "closed.tts"))
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root makes files of another user")
+    def test_recover_says_why_a_session_stays_open(self):
+        self.there.chmod(0o777)
+        said = self.as_nobody("session", "recover", self.session, "--out", self.out / "a.tts")
+        self.assertIn("cannot be closed, because it cannot be written", said)
+        for file in self.there.iterdir():
+            os.chown(file, NOBODY, NOBODY)
+            file.chmod(0o644)
+        index = pathlib.Path(f"{self.session}-shm")
+        index.write_bytes(bytes(32768))
+        index.chmod(0o444)
+        said = self.as_nobody("session", "recover", self.session, "--out", self.out / "b.tts")
+        self.assertIn(f"cannot be closed, because {index} is there and cannot be written", said)
+        index.unlink()
+        self.assertIn("recovered and closed", self.as_nobody("session", "recover", self.session))
 
     @unittest.skipUnless(os.geteuid() == 0, "only root may mount")
     def test_read_only_media_are_read(self):

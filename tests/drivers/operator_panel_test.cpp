@@ -5,7 +5,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "tests/support/fake_gpio_lines.h"
+#include "tests/support/devices/fake_gpio_lines.h"
 
 namespace terratact {
 namespace {

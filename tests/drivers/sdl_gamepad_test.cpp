@@ -11,7 +11,7 @@
 #include <cstring>
 #include <memory>
 
-#include "tests/support/virtual_pad.h"
+#include "tests/support/devices/virtual_pad.h"
 
 namespace terratact {
 namespace {

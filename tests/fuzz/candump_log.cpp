@@ -1,12 +1,12 @@
 // Fuzzes CAN logs of every format. Accepted frames are possible and have a finite time; their candump line means the
 // same frame. The even clock never goes back. Messages about a log are one line.
-#include "core/wire/candump_log.h"
+#include "core/wire/logs/candump_log.h"
 
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 #include "tests/fuzz/promise.h"
 
 using namespace terratact;

@@ -1,5 +1,5 @@
 // Fuzzes model files as bytes. Mutants keep the size of a real file, otherwise its header would reject them all.
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 
 #include <cstdint>
 

@@ -13,7 +13,7 @@
 #include "core/infer/closed_form.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/learn/model/training.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"

@@ -6,7 +6,7 @@
 #include "tests/fuzz/in_place.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 using namespace terratact;
 using namespace terratact::fuzz;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/log/rows/session_schema.h"
 #include "core/log/session_reader.h"
-#include "core/log/session_schema.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/row_bytes.h"
 #include "tests/fuzz/scratch_file.h"
-#include "tests/support/session_rehash.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_rehash.h"
+#include "tests/support/sessions/sessions.h"
 
 using namespace terratact;
 using namespace terratact::fuzz;

@@ -1,5 +1,5 @@
 // Fuzzes truth files, by rows with any values, and decisions on their scenes. The first byte selects: d decisions.
-#include "app/modelling/truth_file.h"
+#include "app/modelling/truth/truth_file.h"
 
 #include <sqlite3.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/modelling/truth_choices.h"
-#include "app/modelling/truth_decisions.h"
+#include "app/modelling/truth/truth_choices.h"
+#include "app/modelling/truth/truth_decisions.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/row_bytes.h"
 #include "tests/fuzz/scratch_file.h"

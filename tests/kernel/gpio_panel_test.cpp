@@ -14,7 +14,7 @@
 
 #include "drivers/gpio_lines.h"
 #include "drivers/operator_panel.h"
-#include "tests/support/gpio_sim.h"
+#include "tests/support/devices/gpio_sim.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

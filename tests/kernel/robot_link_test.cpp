@@ -20,14 +20,14 @@
 #include "app/link/panel_reader.h"
 #include "app/link/robot_service.h"
 #include "app/runtime/steady_now.h"
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/estimator.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "drivers/socketcan.h"
 #include "tests/kernel/support.h"
 #include "tests/support/absolem.h"
-#include "tests/support/gpio_sim.h"
+#include "tests/support/devices/gpio_sim.h"
 
 namespace terratact {
 namespace {

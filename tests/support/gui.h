@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/paint_watch.h"
+#include "tests/support/devices/paint_watch.h"
 #include "tests/support/thread_time.h"
 
 /// Helpers of the GUI tests.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/modelling/laser_truth.h"
+#include "app/modelling/truth/laser_truth.h"
 #include "core/clouds/made_cloud.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/terrain/ground_lines.h"

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "widgets/base/palette.h"
+#include "widgets/base/style_sheet.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {
@@ -89,7 +90,7 @@ int NavigationRail::heightNeeded(bool dense) const
     int height = margins.top() + margins.bottom();
     const auto add = [&](int lines) {
         // The numbers equal those of the style sheet.
-        const int least = dense ? kDenseHeight : scaled(kHeight);
+        const int least = dense ? scaledSmall(kDenseHeight) : scaled(kHeight);
         height += std::max(least, lines * QFontMetrics(QApplication::font()).lineSpacing())
                 + kPadding + (dense ? kDenseSpacing : kSpacing);
     };

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QHash>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -86,20 +87,26 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfB)
     return {between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue())};
 }
 
+int scaledSmall(int pixels)
+{
+    return std::min(pixels, scaled(pixels));
+}
+
 QString styleSheet(const Theme& theme)
 {
     QString sheet = sheetWithPlaceholders();
     sheet.remove(QRegularExpression(QStringLiteral("^/\\*.*?\\*/\n"),
                                     QRegularExpression::DotMatchesEverythingOption));
     const QHash<QString, QColor> colours = coloursOf(theme);
-    static const QRegularExpression kWord(QStringLiteral("@(?:([0-9]+)px|([A-Za-z]+))"));
+    static const QRegularExpression kWord(QStringLiteral("@(?:(small)?([0-9]+)px|([A-Za-z]+))"));
     for (QRegularExpressionMatch word = kWord.match(sheet); word.hasMatch();
          word = kWord.match(sheet, word.capturedStart())) {
-        const QString pixels = word.captured(1), name = word.captured(2);
+        const QString pixels = word.captured(2), name = word.captured(3);
+        const auto sized = word.captured(1).isEmpty() ? scaled : scaledSmall;
         if (pixels.isEmpty() && !colours.contains(name))
             throw std::logic_error("theme.qss: no colour @" + name.toStdString());
         const QString value = pixels.isEmpty() ? colours.value(name).name()
-                                               : QStringLiteral("%1px").arg(scaled(pixels.toInt()));
+                                               : QStringLiteral("%1px").arg(sized(pixels.toInt()));
         sheet.replace(word.capturedStart(), word.capturedLength(), value);
     }
     return sheet;

@@ -1,5 +1,6 @@
 #include "widgets/base/target_style.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOptionComboBox>
@@ -146,6 +147,9 @@ void TargetStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
 int TargetStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const
 {
+    constexpr int kBesideCells = 4;  // [px] between a cell's text and its edge
+    if (metric == PM_FocusFrameHMargin && qobject_cast<const QAbstractItemView*>(widget))
+        return kBesideCells;
     // The focus frame lies on the control's edge.
     if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return 0;
     return QProxyStyle::pixelMetric(metric, option, widget);

@@ -6,7 +6,7 @@
 
 #include "app/display/precondition.h"
 #include "app/display/tone.h"
-#include "core/atem/probe_proposal.h"
+#include "core/atem/probe/probe_proposal.h"
 #include "widgets/base/card.h"
 
 class QGridLayout;

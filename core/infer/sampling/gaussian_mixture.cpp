@@ -1,6 +1,5 @@
 #include "core/infer/sampling/gaussian_mixture.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "core/base/random_unit.h"
 #include "core/infer/sampling/truncated_normal.h"
+#include "core/learn/gp/symmetric_eigen.h"
 
 namespace terratact {
 
@@ -22,8 +22,8 @@ double standardNormalCdf(double z)
 /// Returns a square root of a positive semi-definite matrix.
 Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& covariance)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
-    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    const SymmetricEigen eigen = symmetricEigen(covariance);
+    return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/learn/data/columns.h"
+#include "core/learn/data/side_features.h"
 
 namespace terratact {
 
@@ -19,76 +20,93 @@ namespace {
 constexpr double kPitchSd = 0.0087, kAngleSd = 0.0017;   // [rad]
 constexpr double kCurrentSd = 0.05;                      // [A]
 constexpr double kForceShare = 0.10, kForceFloor = 0.3;  // share, [N]
-constexpr std::size_t kFrontFeature = 1;
-constexpr double kMaxHeightDifference = 0.026;  // [m] root mean square
+constexpr double kMaxHeightDifference = 0.026;           // [m] root mean square
 
-double noiseOf(std::size_t feature, double value)
-{
-    if (feature == 0) return kPitchSd;
-    if (feature < kFrontCurrentFeature) return kAngleSd;
-    if (feature < kFirstForceFeature) return kCurrentSd;
-    return std::hypot(kForceShare * value, kForceFloor);
-}
-
-using Key = std::array<double, kFeatures>;
-
-Key keyOf(const Scene& scene)
-{
-    Key key{};
-    const FeatureValues values = featureValues(scene.s);
-    for (std::size_t d = 0; d < kFeatures; ++d) key[d] = values[d].value_or(0.0);
-    return key;
-}
-
-/// Returns true for the same scene, except for digits that a number format dropped.
-bool isRewritten(const Key& a, const Key& b)
-{
-    double sum = 0.0;
-    for (std::size_t d = 0; d < kFeatures; ++d) {
-        const double off = std::abs(a[d] - b[d]) / noiseOf(d, std::max(a[d], b[d]));
-        if (!(off <= kRewrittenSd)) return false;
-        sum += off * off;
+/// Features and heights of a scene of one plane, which determine its place.
+struct PlaneKey {
+    static constexpr std::size_t kAngle = 1;  ///< the front flippers' feature
+    static double noise(std::size_t feature, double value)
+    {
+        if (feature == 0) return kPitchSd;
+        if (feature < kFrontCurrentFeature) return kAngleSd;
+        if (feature < kFirstForceFeature) return kCurrentSd;
+        return std::hypot(kForceShare * value, kForceFloor);
     }
-    return std::sqrt(sum / kFeatures) <= kRewrittenRms;
-}
+    std::array<double, kFeatures> features{};
+    std::array<double, kBins> heights{};  ///< NaN where a height is unknown
+};
 
-using HeightKey = std::array<double, kBins>;  // NaN where a height is unknown
+/// The same of two tracks: features of the left side, and heights of left and right.
+struct TracksKey {
+    static constexpr std::size_t kAngle = 2;
+    static double noise(std::size_t feature, double value)
+    {
+        if (feature < kAngle) return kPitchSd;  // pitch and roll
+        if (feature < kFirstSideCurrent) return kAngleSd;
+        if (feature < kFirstSideForce) return kCurrentSd;
+        return std::hypot(kForceShare * value, kForceFloor);
+    }
+    std::array<double, kSideFeatures> features{};
+    std::array<double, std::size_t{2} * kBins> heights{};
+};
 
 constexpr double kUnknownHeight = std::numeric_limits<double>::quiet_NaN();
 
-/// Features and heights of a scene, which determine its place.
-struct PlaceKey {
-    Key features{};
-    HeightKey heights{};
-};
-
-PlaceKey placeKeyOf(const Scene& scene)
+PlaneKey keyOf(const Scene& scene)
 {
-    PlaceKey key{keyOf(scene), {}};
+    PlaneKey key;
+    const FeatureValues values = featureValues(scene.s);
+    for (std::size_t d = 0; d < kFeatures; ++d) key.features[d] = values[d].value_or(0.0);
     for (std::size_t i = 0; i < kBins; ++i)
         key.heights[i] = scene.truth[i].value_or(kUnknownHeight);
     return key;
 }
 
-bool isExactCopy(const PlaceKey& a, const PlaceKey& b)
+TracksKey keyOf(const TwoTrackScene& scene)
 {
-    for (std::size_t i = 0; i < kBins; ++i)
+    TracksKey key;
+    Eigen::Map<Eigen::VectorXd>(key.features.data(), Eigen::Index{kSideFeatures}) =
+        sideFeatures(scene.s, Side::Left);
+    for (std::size_t i = 0; i < key.heights.size(); ++i)
+        key.heights[i] = scene.truth[i / kBins][i % kBins].value_or(kUnknownHeight);
+    return key;
+}
+
+/// Returns true for the same readings, except for digits that a number format dropped.
+template <class Key>
+bool isRewritten(const Key& a, const Key& b)
+{
+    double sum = 0.0;
+    for (std::size_t d = 0; d < a.features.size(); ++d) {
+        const double sd = Key::noise(d, std::max(a.features[d], b.features[d]));
+        const double off = std::abs(a.features[d] - b.features[d]) / sd;
+        if (!(off <= kRewrittenSd)) return false;
+        sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(a.features.size())) <= kRewrittenRms;
+}
+
+template <class Key>
+bool isExactCopy(const Key& a, const Key& b)
+{
+    for (std::size_t i = 0; i < a.heights.size(); ++i)
         if (std::isnan(a.heights[i]) != std::isnan(b.heights[i])
             || std::abs(a.heights[i] - b.heights[i]) > kRewrittenHeight)
             return false;
-    return isRewritten(a.features, b.features);
+    return isRewritten(a, b);
 }
 
-bool repeats(const PlaceKey& a, const PlaceKey& b)
+template <class Key>
+bool repeats(const Key& a, const Key& b)
 {
-    for (std::size_t d = 0; d < kFeatures; ++d) {
-        const double sd = noiseOf(d, std::max(a.features[d], b.features[d]));
+    for (std::size_t d = 0; d < a.features.size(); ++d) {
+        const double sd = Key::noise(d, std::max(a.features[d], b.features[d]));
         if (std::abs(a.features[d] - b.features[d]) > kCopySd * std::numbers::sqrt2 * sd)
             return false;
     }
     double sum = 0.0;
     int common = 0;
-    for (std::size_t i = 0; i < kBins; ++i) {
+    for (std::size_t i = 0; i < a.heights.size(); ++i) {
         if (std::isnan(a.heights[i]) || std::isnan(b.heights[i])) continue;
         sum += std::pow(a.heights[i] - b.heights[i], 2.0);
         ++common;
@@ -97,69 +115,79 @@ bool repeats(const PlaceKey& a, const PlaceKey& b)
 }
 
 /// Scenes sorted by the front flippers' angle, which hardly differs between copies.
+template <class Key>
 class ByAngle {
 public:
-    void add(const PlaceKey& key, int number)
+    void add(const Key& key, int number)
     {
-        known_.emplace(key.features[kFrontFeature], Entry{key, number});
+        known_.emplace(key.features[Key::kAngle], Entry{key, number});
     }
 
     /// Returns the least number of the scenes within `reach` [rad] that satisfy is(known).
     template <class Is>
-    std::optional<int> first(const PlaceKey& key, double reach, Is is) const
+    std::optional<int> first(const Key& key, double reach, Is is) const
     {
         std::optional<int> least;
-        const double angle = key.features[kFrontFeature];
+        const double angle = key.features[Key::kAngle];
         const auto last = known_.upper_bound(angle + reach);
         for (auto known = known_.lower_bound(angle - reach); known != last; ++known)
             if (const Entry& other = known->second; !least || other.number < *least)
                 if (is(other.key)) least = other.number;
         return least;
     }
+    bool hasExactCopyOf(const Key& key) const
+    {
+        return first(key, kRewrittenSd * kAngleSd,
+                     [&key](const Key& other) { return isExactCopy(other, key); })
+            .has_value();
+    }
 
 private:
     struct Entry {
-        PlaceKey key;
+        Key key;
         int number;
     };
     std::multimap<double, Entry> known_;
 };
 
 /// First scene of each place, with its number.
+template <class Key>
 class Places {
 public:
-    /// Returns the number of the scene's place: its own number if it is the first scene there.
-    int placeOf(const PlaceKey& key, int number)
+    /// Returns the place of a known scene that this one repeats; empty: none.
+    std::optional<int> known(const Key& key) const
     {
-        const auto known =
-            first_.first(key, kCopySd * std::numbers::sqrt2 * kAngleSd,
-                         [&key](const PlaceKey& other) { return repeats(other, key); });
-        if (known) return *known;
+        return first_.first(key, kCopySd * std::numbers::sqrt2 * kAngleSd,
+                            [&key](const Key& other) { return repeats(other, key); });
+    }
+    /// Returns the number of the scene's place: its own number if it is the first scene there.
+    int placeOf(const Key& key, int number)
+    {
+        if (const auto place = known(key)) return *place;
         first_.add(key, number);
         return number;
     }
 
 private:
-    ByAngle first_;
+    ByAngle<Key> first_;
 };
 
 }  // namespace
 
 bool isNearCopy(const Scene& a, const Scene& b)
 {
-    return repeats(placeKeyOf(a), placeKeyOf(b));
+    return repeats(keyOf(a), keyOf(b));
 }
 
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
 {
     SceneCopies copies;
-    ByAngle all;
-    Places places;
+    ByAngle<PlaneKey> all;
+    Places<PlaneKey> places;
     int number = 0;
     for (const Scene* const scene : scenes) {
-        const PlaceKey key = placeKeyOf(*scene);
-        if (all.first(key, kRewrittenSd * kAngleSd,
-                      [&key](const PlaceKey& other) { return isExactCopy(other, key); })) {
+        const PlaneKey key = keyOf(*scene);
+        if (all.hasExactCopyOf(key)) {
             ++copies.exact;
             continue;
         }
@@ -175,6 +203,30 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
     return copies;
 }
 
+TrackCopies withoutCopies(const std::vector<const TwoTrackScene*>& scenes)
+{
+    TrackCopies copies;
+    ByAngle<TracksKey> all;
+    Places<TracksKey> places;
+    int number = 0;
+    for (const TwoTrackScene* const scene : scenes) {
+        const TracksKey key = keyOf(*scene), mirrorImage = keyOf(mirrored(*scene));
+        if (all.hasExactCopyOf(key) || all.hasExactCopyOf(mirrorImage)) {
+            ++copies.exact;
+            continue;
+        }
+        all.add(key, number);
+        if (!places.known(mirrorImage) && places.placeOf(key, number) == number) {
+            copies.kept.push_back(scene);
+        } else {
+            ++copies.near;
+            copies.runs.insert(scene->run);
+        }
+        ++number;
+    }
+    return copies;
+}
+
 std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
                           const std::vector<unsigned>& unknownBins)
 {
@@ -182,10 +234,10 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
         || heights.cols() != kBins
         || (!unknownBins.empty() && std::ssize(unknownBins) != heights.rows()))
         throw std::invalid_argument("places need eleven features and heights of every row");
-    Places places;
+    Places<PlaneKey> places;
     std::vector<int> result;
     for (Eigen::Index u = 0; u < features.rows(); ++u) {
-        PlaceKey key;
+        PlaneKey key;
         for (std::size_t d = 0; d < kFeatures; ++d)
             key.features[d] = features(u, static_cast<Eigen::Index>(d));
         const unsigned unknown = unknownBins.empty() ? 0 : unknownBins[static_cast<std::size_t>(u)];
@@ -197,24 +249,49 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
     return result;
 }
 
+namespace {
+
+/// Returns true for a scene that is a row of training.
+template <class Key>
+bool isRow(const ByAngle<Key>& rows, const Key& key)
+{
+    return rows
+        .first(key, kRewrittenSd * kAngleSd,
+               [&key](const Key& row) { return isRewritten(row, key); })
+        .has_value();
+}
+
+template <class Key>
+ByAngle<Key> rowsOf(const Eigen::MatrixXd& features)
+{
+    ByAngle<Key> rows;
+    for (Eigen::Index u = 0; u < features.rows(); ++u) {
+        Key key;
+        for (std::size_t d = 0; d < key.features.size(); ++d)
+            key.features[d] = features(u, static_cast<Eigen::Index>(d));
+        rows.add(key, static_cast<int>(u));
+    }
+    return rows;
+}
+
+}  // namespace
+
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features)
 {
-    std::multimap<double, Key> known;  // by the front flippers' angle
-    for (Eigen::Index u = 0; u < features.rows(); ++u) {
-        Key key{};
-        for (std::size_t d = 0; d < kFeatures; ++d)
-            key[d] = features(u, static_cast<Eigen::Index>(d));
-        known.emplace(key[kFrontFeature], key);
-    }
-    const auto isKnown = [&known](const Scene& scene) {
-        if (missingFeatures(scene.s).any()) return false;
-        const Key key = keyOf(scene);
-        const double reach = kRewrittenSd * kAngleSd;
-        return std::any_of(known.lower_bound(key[kFrontFeature] - reach),
-                           known.upper_bound(key[kFrontFeature] + reach),
-                           [&key](const auto& row) { return isRewritten(key, row.second); });
-    };
-    return static_cast<std::size_t>(std::count_if(scenes.begin(), scenes.end(), isKnown));
+    const auto rows = rowsOf<PlaneKey>(features);
+    return static_cast<std::size_t>(std::ranges::count_if(scenes, [&rows](const Scene& scene) {
+        return missingFeatures(scene.s).none() && isRow(rows, keyOf(scene));
+    }));
+}
+
+std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
+                           const Eigen::MatrixXd& features)
+{
+    const auto rows = rowsOf<TracksKey>(features);
+    return static_cast<std::size_t>(
+        std::ranges::count_if(scenes, [&rows](const TwoTrackScene& scene) {
+            return absentFeatures(scene.s, Side::Left).none() && isRow(rows, keyOf(scene));
+        }));
 }
 
 }  // namespace terratact

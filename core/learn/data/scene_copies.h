@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/learn/data/scene.h"
+#include "core/learn/data/two_track_scene.h"
 
 namespace terratact {
 
@@ -24,6 +25,19 @@ struct SceneCopies {
 
 /// Removes copies. scenes: with all features, and at least one known height each.
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
+
+/// Scenes of two tracks, one for each place. A mirror image is a copy: both sides are training rows
+/// of one set of processes.
+struct TrackCopies {
+    std::vector<const TwoTrackScene*> kept;  ///< first scene of each place, in order
+    std::size_t exact = 0;                   ///< left out, as in SceneCopies
+    std::size_t near = 0;                    ///< left out: they measure a place again
+    std::set<std::string> runs;              ///< drives of the near ones
+};
+
+/// Removes copies, exact and near ones (isNearCopy, with the heights of both sides). scenes: with
+/// all features, and at least one known height each.
+TrackCopies withoutCopies(const std::vector<const TwoTrackScene*>& scenes);
 
 /// Returns the place of each row: the number of the first row that it repeats (isNearCopy), or its
 /// own. Rows are compared with first rows of places only. features: U × 11, heights: U × 11,
@@ -43,6 +57,12 @@ inline constexpr double kCopySd = 3.5;
 /// The root mean square of these differences is at most kRewrittenRms. features: U × 11 as in
 /// ModelData.
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features);
+
+/// Returns the same of two tracks: the scenes whose left side is a training row. features:
+/// U × kSideFeatures as in SurfaceData, rounded to its steps.
+std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
+                           const Eigen::MatrixXd& features);
+
 inline constexpr double kRewrittenSd = 0.31, kRewrittenRms = 0.13;
 /// Largest height difference [m] that rounding to three decimals makes.
 inline constexpr double kRewrittenHeight = 0.0006;

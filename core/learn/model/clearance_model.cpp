@@ -1,6 +1,5 @@
 #include "core/learn/model/clearance_model.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/learn/gp/symmetric_eigen.h"
 #include "core/learn/kernels/hyperparameters.h"
 
 namespace terratact {
@@ -38,13 +38,11 @@ Eigen::MatrixXd scenesInMetric(const SurfaceData& model, const Eigen::VectorXd& 
 /// positive one; the variances stay.
 Eigen::MatrixXd nearestCovariance(const Eigen::MatrixXd& symmetric)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
-    const Eigen::VectorXd& values = solver.eigenvalues();
-    const double least = 1e-6 * values.maxCoeff();
-    if (values.minCoeff() >= least) return symmetric;
-    const Eigen::MatrixXd& vectors = solver.eigenvectors();
+    const SymmetricEigen eigen = symmetricEigen(symmetric);
+    const double least = 1e-6 * eigen.values.maxCoeff();
+    if (eigen.values.minCoeff() >= least) return symmetric;
     const Eigen::MatrixXd clipped =
-        vectors * values.cwiseMax(least).asDiagonal() * vectors.transpose();
+        eigen.vectors * eigen.values.cwiseMax(least).asDiagonal() * eigen.vectors.transpose();
     const Eigen::VectorXd scale =
         (symmetric.diagonal().array() / clipped.diagonal().array()).sqrt().matrix();
     return scale.asDiagonal() * clipped * scale.asDiagonal();

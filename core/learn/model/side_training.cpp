@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/side_features.h"
 #include "core/learn/model/clearance_training.h"
 #include "core/learn/model/surface_rows.h"
@@ -73,14 +75,19 @@ SideTrainingSet prepareSides(const std::vector<TwoTrackScene>& scenes)
     std::vector<const TwoTrackScene*> usable;
     for (const TwoTrackScene& scene : scenes)
         if (isUsable(scene) && std::ssize(usable) < kMaxSideScenes) usable.push_back(&scene);
+    SideTrainingSet set;
+    set.leftOut = static_cast<int>(scenes.size() - usable.size());
+    TrackCopies copies = withoutCopies(usable);
+    usable = std::move(copies.kept);
+    set.exactCopies = static_cast<int>(copies.exact);
+    set.nearCopies = static_cast<int>(copies.near);
+    set.runsWithCopies = std::move(copies.runs);
     if (usable.size() < std::size_t{kMinTrainingRows})
         throw std::invalid_argument(fmt::format(
-            "two tracks need at least {} scenes with heights, and with all currents and "
-            "front forces of both sides, found {}",
+            "two tracks need at least {} scenes of different places, with heights, and with all "
+            "currents and front forces of both sides, found {}",
             kMinTrainingRows, usable.size()));
-    SideTrainingSet set;
     set.used = static_cast<int>(usable.size());
-    set.leftOut = static_cast<int>(scenes.size()) - set.used;
     const Eigen::Index rows = 2 * std::ssize(usable);
     set.rows.features.resize(rows, Eigen::Index{kSideFeatures});
     set.rows.heights.resize(rows, kBins);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/poll.h"
@@ -30,11 +32,13 @@ double inSteps(double value, double step);
 
 /// Training rows of both sides (SurfaceData), in the order of the scenes, rounded to steps. Scenes
 /// that lack a current, a front force or every height are left out, and those whose differential has
-/// turned.
+/// turned. So are copies (withoutCopies): bands would shrink.
 struct SideTrainingSet {
     SurfaceData rows;
-    int used = 0, leftOut = 0;  ///< scenes
-    int withHoles = 0;          ///< those of `used` with unknown heights
+    int used = 0, leftOut = 0;             ///< scenes
+    int withHoles = 0;                     ///< those of `used` with unknown heights
+    int exactCopies = 0, nearCopies = 0;   ///< left out, not counted in leftOut
+    std::set<std::string> runsWithCopies;  ///< drives of the near copies
 };
 
 /// Throws std::invalid_argument if fewer than kMinTrainingRows scenes are left, or if a bin's height

@@ -197,8 +197,8 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     set.used = static_cast<int>(rows.size());
     if (places < kMinTrainingRows)
         throw std::invalid_argument(
-            fmt::format("training needs at least {} scenes with all heights, currents and "
-                        "forces known, each other than the rest, found {}{}",
+            fmt::format("training needs at least {} scenes, each different, with all heights, "
+                        "currents and forces known, found {}{}",
                         kMinTrainingRows, places,
                         incomplete > 0 ? fmt::format(" and {} with unknown heights", incomplete)
                                        : std::string()));

@@ -23,7 +23,7 @@ namespace terratact {
 
 /// Detects faulty sensors in lines of telemetry at any rate. It has no clock: times are those of
 /// the lines. A time that goes back, or a silence longer than kMaxSilence, restarts the rules but
-/// keeps the suspicions. Memory is bounded. core/README.md, "Sensors that lie", lists rules and
+/// keeps the suspicions. Memory is bounded. core/README.md, "Sensor faults", lists rules and
 /// limits.
 class SensorWatch {
 public:

@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// Detects sensors that have not changed by one count, although they should have:
-///   attitude  for kMinLines lines and 1 s, in which the tracks moved 0.1 m or a flipper 0.2 rad
+/// Detects sensors that have not changed by one count for kMinLines lines, although they should have:
+///   attitude  while the tracks moved 0.1 m or a flipper 0.2 rad
 ///   angles    for 3 s of standing in which noise changed another angle in every second line; for the
 ///             front angles also through 0.6 s of pressing
 ///   currents  for 3 s of standing in which noise changed another current; or from drive to press

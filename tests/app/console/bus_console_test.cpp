@@ -10,7 +10,7 @@
 
 #include "app/console/main_window.h"
 #include "tests/support/absolem.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/held_button.h"
@@ -21,6 +21,7 @@
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/signals/force_bars.h"
+#include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
 namespace {
@@ -171,6 +172,37 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
+TEST_F(BusConsole, coloursAndLettersChangeOnceTheRobotStands)
+{
+    open();
+    const auto change = [this](ThemeName theme, int scale) {
+        window->preferences().change([=](Preferences& p) {
+            p.theme = theme;
+            p.fontScale = scale;
+        });
+    };
+    const bool waits = inSomeGo([&] {
+        change(ThemeName::Day, 100);
+        if (!drives()) return false;
+        change(ThemeName::NightRed, 120);
+        QTest::qWait(100);  // waits for a change that must not come
+        const bool stillMoves = window->link()->view().link.moves;
+        const ThemeName shown = lookInForce().theme;
+        const QSize size = window->terrain()->size();
+        window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
+        EXPECT_TRUE(eventually([&] { return window->terrain()->size() != size; }, 2000))
+            << "the layout does not wait";
+        window->preferences().change([](Preferences& p) { p.layout = Layout::Probe; });
+        QTest::keyRelease(window.get(), Qt::Key_W);
+        EXPECT_TRUE(!stillMoves || shown == ThemeName::Day);
+        return stillMoves;
+    });
+    EXPECT_TRUE(waits);
+    EXPECT_TRUE(eventually([&] { return lookInForce().theme == ThemeName::NightRed; }));
+    EXPECT_TRUE(eventually([&] { return lookInForce().fontScale == 120; }));
+    change(ThemeName::Day, 100);
+}
+
 TEST_F(BusConsole, closingWhileArmedNeedsASecondRequest)
 {
     open();
@@ -255,6 +287,8 @@ TEST_F(BusConsole, disarmedRobotEndsTheExploration)
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(window->exploration().state().failure, AtemFailure::Disarmed);
+    EXPECT_EQ(window->exploration().stateWords().english(),
+              "the robot is not armed: disarmed by the operator");
     picture("disarmed-while-exploring");
 }
 

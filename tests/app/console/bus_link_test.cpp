@@ -19,10 +19,10 @@
 #include "core/log/session_reader.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "drivers/log_replay.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
+#include "tests/support/benches/staged_robot.h"
 #include "tests/support/gui.h"
-#include "tests/support/sessions.h"
-#include "tests/support/staged_robot.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/held_button.h"
 #include "widgets/control/arming_control.h"
@@ -32,8 +32,8 @@
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -317,6 +317,24 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     EXPECT_TRUE(eventually([&] { return estimation.estimate().has_value(); }));
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     picture("end-of-the-log");
+}
+
+TEST_F(BusConsole, aPausedLogIsNoLostLink)
+{
+    auto replay = LogReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {.speed = 0.5});
+    ASSERT_TRUE(replay) << replay.error().text;
+    hasReplayBar = true;
+    window = console(std::move(*replay), CanSource::Mode::Replay,
+                     [] { return Result<LoadedModel>(madeUp()); });
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    QTest::keyClick(window.get(), Qt::Key_Space, Qt::ControlModifier);
+    QTest::qWait(1500);  // longer than the link watchdog
+    EXPECT_TRUE(says("paused at"));
+    EXPECT_TRUE(window->exploration().linkAlive());
+    EXPECT_FALSE(says("LINK LOST"));
+    QTest::keyClick(window.get(), Qt::Key_Space, Qt::ControlModifier);
+    EXPECT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
 }
 
 TEST_F(BusConsole, aKerbOnTheLeftIsProbedOnASideOverTheBus)

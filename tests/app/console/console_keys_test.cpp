@@ -10,16 +10,17 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <functional>
 #include <utility>
 
-#include "app/console/settings_page.h"
+#include "app/console/pages/settings_page.h"
 #include "app/display/format.h"
 #include "app/pages/numbers_page.h"
 #include "app/shell/text_sheet.h"
-#include "core/learn/model/model_file.h"
-#include "tests/support/console_bench.h"
+#include "core/learn/model/file/model_file.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/temporary_directory.h"
@@ -33,9 +34,9 @@
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/signals/force_bars.h"
-#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/readings/numbers_table.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -345,13 +346,24 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
     lists()->close();
 }
 
+TEST_F(Console, keySheetNamesTheKeysThatMoveInTimeInAReview)
+{
+    openScripted();
+    QTest::keyClick(window.get(), Qt::Key_F1);
+    const auto* sheet = window->findChild<TextSheet*>();
+    ASSERT_TRUE(sheet);
+    const QString note = sheet->plainText().section("In a review", 1);
+    for (const char* key : {"A", "B", "F", "M", "P", "K", "Space"})
+        EXPECT_TRUE(note.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(key)))) << key;
+}
+
 TEST_F(Console, keySheetLeavesTheHeaderFreeAndScrolls)
 {
     openScripted();
     window->setRoom({1200, 680});
     for (const int letters : {100, 200}) {
         window->preferences().change([=](Preferences& p) { p.fontScale = letters; });
-        ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
+        ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
         window->resize(1200, 680);
         QTest::keyClick(window.get(), Qt::Key_F1);
         auto* sheet = window->findChild<TextSheet*>();

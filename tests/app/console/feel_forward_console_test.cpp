@@ -12,7 +12,7 @@
 #include "app/shell/key_table.h"
 #include "core/log/event_text.h"
 #include "core/log/session_reader.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/held_button.h"

@@ -10,18 +10,18 @@
 
 #include "app/console/main_window.h"
 #include "drivers/sdl_gamepad.h"
-#include "tests/support/bus_console_bench.h"
-#include "tests/support/fake_gamepad.h"
+#include "tests/support/benches/bus_console_bench.h"
+#include "tests/support/devices/fake_gamepad.h"
+#include "tests/support/devices/virtual_pad.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
-#include "tests/support/virtual_pad.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -16,9 +16,9 @@
 #include <string>
 
 #include "app/console/main_window.h"
-#include "app/console/training_page.h"
+#include "app/console/pages/training_page.h"
 #include "app/display/format.h"
-#include "app/review/review_export_dialog.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "app/runtime/resources.h"
@@ -30,7 +30,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

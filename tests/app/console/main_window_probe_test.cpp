@@ -12,7 +12,7 @@
 
 #include "app/display/format.h"
 #include "app/start/language.h"
-#include "tests/support/console_bench.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/held_estimate.h"
@@ -20,7 +20,7 @@
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/probe_card.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "app/console/settings_page.h"
-#include "tests/support/console_bench.h"
+#include "app/console/pages/settings_page.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 #include "widgets/base/navigation_rail.h"
@@ -16,8 +16,8 @@
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/force_bars.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -76,7 +76,7 @@ TEST_F(Console, appearingItemsDoNotMoveTheWindow)
     ScriptedSource* source = openScripted();
     window->setRoom({1200, 680});
     window->preferences().change([](Preferences& p) { p.fontScale = 200; });
-    ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
+    ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
     window->resize(window->minimumSize());
     ASSERT_TRUE(readyToExplore());
     const QSize least = window->minimumSize();

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <optional>
 
-#include "tests/support/console_bench.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 #include "widgets/base/held_button.h"
@@ -18,7 +18,7 @@
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/force_bars.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

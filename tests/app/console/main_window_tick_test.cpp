@@ -15,7 +15,7 @@
 #include "app/console/main_window.h"
 #include "app/runtime/steady_now.h"
 #include "core/wire/frame_layout.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/gui.h"
 
 namespace terratact {

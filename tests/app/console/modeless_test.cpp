@@ -12,9 +12,9 @@
 #include <set>
 #include <string>
 
+#include "tests/support/benches/robot_on_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

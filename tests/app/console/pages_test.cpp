@@ -6,14 +6,14 @@
 #include <QLineEdit>
 #include <string>
 
-#include "app/console/diagnostics_page.h"
-#include "app/console/signals_page.h"
+#include "app/console/pages/diagnostics_page.h"
+#include "app/console/pages/signals_page.h"
 #include "app/pages/dbc_files.h"
 #include "app/pages/numbers_page.h"
 #include "app/runtime/steady_now.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
+#include "tests/support/benches/pages_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/pages_bench.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/drive_pad.h"

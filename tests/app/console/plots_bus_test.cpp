@@ -2,7 +2,7 @@
 #include <QComboBox>
 
 #include "app/pages/plots_page.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/signals/plot_values.h"
 

@@ -5,7 +5,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 
-#include "tests/support/console_bench.h"
+#include "tests/support/benches/console_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/signals/plot_values.h"
 #include "widgets/signals/signal_list.h"

@@ -8,7 +8,7 @@
 #include <QRegularExpression>
 
 #include "app/console/main_window.h"
-#include "tests/support/console_bench.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/gui.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/probe_card.h"

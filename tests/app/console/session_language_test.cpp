@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/display/translated.h"
-#include "app/figures/mission_report.h"
-#include "app/figures/session_report.h"
+#include "app/figures/report/mission_report.h"
+#include "app/figures/report/session_report.h"
 #include "app/recording/session_folder.h"
 #include "app/review/review_timeline.h"
 #include "app/start/language.h"
@@ -15,7 +15,7 @@
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

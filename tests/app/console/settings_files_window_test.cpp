@@ -9,9 +9,9 @@
 #include <QTableWidget>
 
 #include "core/store/file_read.h"
-#include "tests/support/arming.h"
+#include "tests/support/benches/arming.h"
+#include "tests/support/benches/robot_on_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/drive_pad.h"

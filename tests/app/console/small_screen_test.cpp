@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/start/language.h"
-#include "tests/support/bus_console_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -18,6 +18,7 @@ using gui::eventually;
 
 constexpr QSize kEnough{940,
                         500};  // [px] smallest window without cut texts: 960x540 with a title bar
+constexpr int kRailHeight = 536;  // [px] least height without scrolling: 960x540 with a frame
 
 QRect onScreen(const QWidget& widget)
 {
@@ -34,8 +35,9 @@ struct SmallScreen : BusConsole {
     }
     QRect screenArea() const { return window->screen()->availableGeometry(); }
     bool hasEnough() const { return window->size().expandedTo(kEnough) == window->size(); }
+    bool hasRailRoom() const { return window->height() >= kRailHeight; }
     /// Opens the console like at the first start.
-    void openIn(const char* language)
+    void openIn(const char* language, bool isFullScreen = false)
     {
         window.reset();
         robot.reset();
@@ -45,6 +47,7 @@ struct SmallScreen : BusConsole {
         window = console(bus.join("can0"), CanSource::Mode::Transmit,
                          [] { return Result<LoadedModel>(madeUp()); });
         window->resize(1440, 900);
+        if (isFullScreen) return window->showFullScreen();
         gui::showActive(*window);
         EXPECT_TRUE(eventually([&] { return screenArea().contains(window->frameGeometry()); }));
     }
@@ -118,6 +121,32 @@ TEST_F(SmallScreen, hasStopArmingAndVerdictInEveryLanguage)
         ASSERT_TRUE(eventually([&] { return !window->exploration().linkAlive(); }));
         lookAtEachPage(in + " lost");
     }
+}
+
+TEST_F(SmallScreen, scrollsOnlyWhatDoesNotFit)
+{
+    for (const char* language : {"en", "cs", "de"}) {
+        openIn(language);
+        ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
+        QTest::qWait(60);
+        const QWidget& rail = *window->rail();
+        const bool cut = rail.visibleRegion().boundingRect() != rail.rect();
+        EXPECT_EQ(cut, !hasRailRoom()) << language << ": " << rail.height() << " px";
+        if (cut) {
+            EXPECT_EQ(rail.height(), rail.minimumSizeHint().height()) << language;
+        }
+    }
+}
+
+TEST_F(SmallScreen, fitsAgainAfterItsFrameHasChanged)
+{
+    openIn("en", true);
+    EXPECT_TRUE(eventually([&] { return window->geometry() == window->screen()->geometry(); }));
+    window->showNormal();
+    EXPECT_TRUE(eventually([&] { return window->frameGeometry() != window->geometry(); }));
+    EXPECT_TRUE(eventually([&] {
+        return !window->isFittingFont() && screenArea().contains(window->frameGeometry());
+    })) << window->frameGeometry().height();
 }
 
 TEST_F(SmallScreen, fontScaleIsLimitedToWhatFits)

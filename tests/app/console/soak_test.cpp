@@ -19,15 +19,15 @@
 #include <string>
 #include <thread>
 
-#include "app/console/diagnostics_page.h"
+#include "app/console/pages/diagnostics_page.h"
 #include "app/pages/plots_page.h"
 #include "app/recording/session_recorder.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/resources.h"
 #include "app/runtime/steady_now.h"
+#include "tests/support/benches/loop_beat.h"
+#include "tests/support/benches/robot_on_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/loop_beat.h"
-#include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/console/main_window.h"
-#include "tests/support/console_bench.h"
+#include "tests/support/benches/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 #include "widgets/control/robot_readout.h"

@@ -1,7 +1,7 @@
 // Tests void proposals: after its basis changed, only a new exploration gives a valid one.
 #include "app/display/precondition.h"
 #include "core/atem/atem_machine.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "app/console/main_window.h"
 #include "app/display/format.h"
-#include "app/review/review_export_dialog.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "app/runtime/steady_now.h"
@@ -27,8 +27,8 @@
 #include "core/atem/panel.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_session.h"
 #include "tests/support/scripted_source.h"
+#include "tests/support/sessions/robot_session.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"

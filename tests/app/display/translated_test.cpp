@@ -9,7 +9,7 @@
 
 #include "app/display/format.h"
 #include "app/display/units.h"
-#include "app/mission/bus_text.h"
+#include "app/mission/text/bus_text.h"
 #include "app/start/language.h"
 #include "core/atem/arming.h"
 #include "core/atem/command_gate.h"

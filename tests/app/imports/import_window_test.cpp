@@ -15,7 +15,7 @@
 #include <filesystem>
 
 #include "app/imports/import_page.h"
-#include "app/modelling/simulated_recording.h"
+#include "app/modelling/simulation/simulated_recording.h"
 #include "app/shell/dropped_files.h"
 #include "app/shell/open_file.h"
 #include "core/log/session_reader.h"
@@ -41,7 +41,8 @@ struct ImportBench : testing::Test {
             for (auto& forces : stop.s.forces) forces.fill(1.0);
         }
         file = directory.file("drive.mcap");
-        if (!writeSimulatedRecording(file, robot.model, made))
+        FileGroup files;
+        if (!addSimulatedRecording(files, file, robot.model, made) || !files.commit())
             throw std::runtime_error("no recording");
     }
 
@@ -199,7 +200,7 @@ TEST_F(ImportBench, isReadableInEveryThemeAndSize)
         applyLook(*qApp, theme);  // a window keeps the theme with which it was made
         ASSERT_TRUE(opensAndSurveys());
         window->setRoom({1024, 600});
-        ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
+        ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
         window->resize(1024, 600);
         EXPECT_LE(window->minimumHeight(), 600);
         EXPECT_LE(window->minimumWidth(), 1024);

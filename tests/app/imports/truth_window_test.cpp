@@ -284,7 +284,7 @@ TEST_F(TruthBench, isReadableInEveryThemeAndSize)
             applyLook(*qApp, theme);
             open();
             window->setRoom(size);
-            ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
+            ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
             window->resize(size);
             EXPECT_LE(window->minimumHeight(), size.height());
             EXPECT_LE(window->minimumWidth(), size.width());

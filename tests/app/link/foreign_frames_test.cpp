@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "app/link/frame_history.h"
-#include "tests/support/frame_tap.h"
+#include "tests/support/devices/frame_tap.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

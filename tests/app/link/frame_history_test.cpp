@@ -16,7 +16,7 @@
 #include "app/link/bus_statistics.h"
 #include "app/link/can_source.h"
 #include "tests/support/absolem.h"
-#include "tests/support/frame_tap.h"
+#include "tests/support/devices/frame_tap.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

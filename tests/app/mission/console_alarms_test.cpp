@@ -3,9 +3,9 @@
 
 #include "app/display/translated.h"
 #include "app/mission/console_alarms.h"
-#include "tests/support/counting_alarm_sound.h"
+#include "tests/support/bytes/messages.h"
+#include "tests/support/devices/counting_alarm_sound.h"
 #include "tests/support/gui.h"
-#include "tests/support/messages.h"
 #include "widgets/signals/alarm_table.h"
 
 namespace terratact {

@@ -1,7 +1,7 @@
 // Tests the list of a run's estimates.
 #include "app/mission/estimate_history.h"
 
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

@@ -1,7 +1,7 @@
 // Tests the estimates of a scene: preparation, live previews, the strip, and models.
 #include "app/mission/estimation.h"
 
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

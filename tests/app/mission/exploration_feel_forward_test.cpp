@@ -1,6 +1,6 @@
 // Tests feel forward: what goes on by itself, what ends it, and what the robot is sent.
 #include "app/display/translated.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

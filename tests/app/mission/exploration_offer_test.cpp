@@ -1,12 +1,15 @@
 // Tests when a probe is proposed, with which limit and policy, and that the estimate is recorded before.
+#include <regex>
+#include <string>
+
 #include "app/display/translated.h"
 #include "app/mission/screen_text.h"
 #include "app/mission/session_event_logger.h"
 #include "app/recording/session_folder.h"
-#include "core/log/message_json.h"
+#include "core/log/rows/message_json.h"
 #include "core/log/session_reader.h"
-#include "tests/support/exploration_bench.h"
-#include "tests/support/sessions.h"
+#include "tests/support/benches/exploration_bench.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -101,6 +104,18 @@ TEST_F(Bench, aDecisionRecordsWhatWasOnTheScreen)
     EXPECT_TRUE(messageFromJson(jsonOf(screen))) << "a session can hold it in parts";
 }
 
+TEST_F(Bench, aRecordedClearSaysHowFar)
+{
+    withDraws = clear = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    const std::string screen = screenText(*exploration, {}).english();
+    EXPECT_TRUE(std::regex_search(
+        screen,
+        std::regex("CLEAR to \\+0\\.\\d\\d m; P\\(step > 0\\.\\d\\d m to \\+0\\.\\d\\d m\\) = ")))
+        << screen;
+}
+
 TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)
 {
     withDraws = true;
@@ -129,11 +144,15 @@ TEST_F(Bench, theEndOfTheGroundIsReportedWithItsFile)
         }
         return told.filter(QStringLiteral("ends here")).join('\n').toStdString();
     };
-    EXPECT_EQ(toldOn({}),
-              "the built-in ground ends here: drive back, or start with another --terrain");
-    EXPECT_EQ(toldOn("/some/where/ditch\x1b[2J.csv"),
-              "the ground of the file ditch?[2J.csv ends here: drive back, or start with another "
-              "--terrain");
+    EXPECT_EQ(
+        toldOn({}),
+        "the robot drives no further: the built-in ground ends here, or is too steep. Drive back, "
+        "or start with another --terrain");
+    EXPECT_EQ(
+        toldOn("/some/where/ditch\x1b[2J.csv"),
+        "the robot drives no further: the ground of the file ditch?[2J.csv ends here, or is too "
+        "steep. Drive back, or start with another "
+        "--terrain");
 }
 
 TEST_F(Bench, driveWithoutTrackMotionKeepsTheEstimate)

@@ -1,7 +1,7 @@
 // Tests the operator's commands: STOP, its release, and driving.
 #include "app/display/translated.h"
 #include "core/log/session_reader.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {
@@ -228,6 +228,16 @@ TEST_F(Bench, aForgottenEstimateIsBroughtBackUntilTheRobotLeaves)
     exploration->restoreResult();
     tick();
     EXPECT_FALSE(exploration->estimation().estimate()) << "of another pose";
+}
+
+TEST_F(Bench, forgettingNothingKeepsTheHintOnHowToGetAnEstimate)
+{
+    tick(3);
+    ASSERT_FALSE(exploration->estimation().estimate());
+    const std::string hint = exploration->whyNoEstimate().english();
+    exploration->forgetResult();
+    tick(3);
+    EXPECT_EQ(exploration->whyNoEstimate().english(), hint);
 }
 
 }  // namespace

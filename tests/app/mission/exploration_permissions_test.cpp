@@ -1,6 +1,6 @@
 // Tests what each command of an exploration needs.
 #include "core/log/session_reader.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

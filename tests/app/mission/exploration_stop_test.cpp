@@ -2,9 +2,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/console/link_status.h"
+#include "app/console/connection/link_status.h"
 #include "drivers/memory_bus.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 

@@ -1,8 +1,8 @@
 
 
-#include "app/console/link_status.h"
+#include "app/console/connection/link_status.h"
 #include "app/display/translated.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 #include "widgets/control/status_header.h"
 
 namespace terratact {

@@ -1,5 +1,5 @@
 #include "drivers/memory_bus.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {

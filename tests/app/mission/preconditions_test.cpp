@@ -1,7 +1,8 @@
 // Tests the preconditions of exploring and of the other commands, and overriding doubtful ones.
 
 #include "app/display/translated.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/absolem.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {
@@ -59,6 +60,25 @@ TEST_F(PreconditionBench, nothingMovesWhileTheArmIsOutAfterAnAbort)
     exploration->request();
     tick();
     EXPECT_NE(exploration->state().phase, AtemPhase::Idle);
+}
+
+TEST_F(PreconditionBench, beyondTheTipOverAngleNothingIsExplored)
+{
+    Exploration heavy(source, absolem(), *worker, Exploration::Options{});
+    const auto phaseAfterRequest = [&](double pitch) {
+        telemetry.pitch = pitch;
+        tick();
+        heavy.tick({.now = now, .latest = latest});
+        heavy.request();
+        heavy.tick({.now = now, .latest = latest});
+        return heavy.state().phase;
+    };
+    const QString tipped = "✘ pitch or roll is beyond the tip-over angle";
+    EXPECT_EQ(phaseAfterRequest(1.4), AtemPhase::Idle);
+    EXPECT_TRUE(linesOf(heavy.preconditions()).contains(tipped));
+    EXPECT_FALSE(linesOf(heavy.toDrive()).contains(tipped)) << "driving back may help";
+    EXPECT_NE(phaseAfterRequest(0.0), AtemPhase::Idle);
+    EXPECT_FALSE(linesOf(heavy.preconditions()).contains(tipped));
 }
 
 TEST_F(PreconditionBench, robotConditionsAreUnmetWithoutTelemetry)

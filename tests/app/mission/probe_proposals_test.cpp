@@ -2,7 +2,7 @@
 #include "app/mission/probe_proposals.h"
 
 #include "core/log/session_reader.h"
-#include "tests/support/exploration_bench.h"
+#include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
 namespace {
@@ -48,6 +48,9 @@ TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
     propose();
     EXPECT_EQ(exploration->estimation().verdict()->both, StepVerdict::Blocked);
     EXPECT_FALSE(exploration->whyNotOffered());
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "The probe was refused"));
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
 

@@ -3,8 +3,8 @@
 
 #include "app/mission/estimation.h"
 #include "core/sim/ground/terrain_shapes.h"
-#include "tests/support/exploration_bench.h"
-#include "tests/support/simulated_exploration.h"
+#include "tests/support/benches/exploration_bench.h"
+#include "tests/support/benches/simulated_exploration.h"
 
 namespace terratact {
 namespace {

@@ -8,13 +8,13 @@
 #include "app/mission/session_event_logger.h"
 #include "app/recording/session_recorder.h"
 #include "app/recording/what_if.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/store/file_read.h"
 #include "core/trail/trail_file.h"
-#include "tests/support/session_files.h"
-#include "tests/support/sessions.h"
-#include "tests/support/simulated_exploration.h"
+#include "tests/support/benches/simulated_exploration.h"
+#include "tests/support/sessions/session_files.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

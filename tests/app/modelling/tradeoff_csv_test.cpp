@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/trade_point.h"

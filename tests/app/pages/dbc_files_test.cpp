@@ -12,11 +12,11 @@
 #include <string>
 #include <thread>
 
-#include "app/console/signals_page.h"
+#include "app/console/pages/signals_page.h"
 #include "app/runtime/steady_now.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
+#include "tests/support/benches/pages_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/pages_bench.h"
 
 namespace terratact {
 namespace {

@@ -9,6 +9,7 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/base/theme.h"
+#include "widgets/terrain/readings/numbers_table.h"
 
 namespace terratact {
 namespace {
@@ -69,6 +70,19 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
     viewState.verdict.reset();
     page.refresh(0.0);
     EXPECT_FALSE(line->isVisible());
+}
+
+TEST(NumbersPage, leavesAGapBetweenNumbersAndWords)
+{
+    applyLook(*qApp);
+    const TwoTrackEstimate estimate = equalSides(stepEstimate());
+    NumbersTable table;
+    table.setEstimate(estimate, kStepLimit);
+    table.show();  // the style sheet applies
+    const QString word = table.item(0, NumbersTable::From)->text();
+    ASSERT_EQ(word, "constrained");
+    EXPECT_GE(table.columnWidth(NumbersTable::From),
+              table.fontMetrics().horizontalAdvance(word) + 8);
 }
 
 }  // namespace

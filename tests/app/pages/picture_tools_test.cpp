@@ -16,8 +16,8 @@
 #include "app/pages/terrain_picture.h"
 #include "app/shell/key_table.h"
 #include "core/store/file_read.h"
+#include "tests/support/benches/terrain_bench.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/terrain_bench.h"
 
 namespace terratact {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/pages/plot_sets.h"
 #include "app/plotting/plot_source.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 
 namespace terratact {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/console/main_window.h"
-#include "tests/support/look_bench.h"
+#include "tests/support/benches/look_bench.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"

@@ -20,10 +20,10 @@
 #include "tests/support/gui.h"
 #include "widgets/control/drive_strip.h"
 #include "widgets/control/robot_readout.h"
-#include "widgets/terrain/estimate_strip.h"
-#include "widgets/terrain/rear_view.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/rear_view.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
-#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 namespace {
@@ -51,6 +51,28 @@ TEST(TerrainPageAlone, neverUnderstatesTheAgeOfTelemetry)
     EXPECT_EQ(says(0.16, false, 0.24), "0.2 s old") << "at once";
     EXPECT_EQ(page.readout()->text(RobotReadout::Pitch), "--   160 ms old");
     EXPECT_EQ(says(1.27, false, 0.24), "1.3 s old") << "and it grows";
+}
+
+TEST(TerrainPageAlone, drawsNeitherRobotNorTruthWithoutTelemetry)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const auto shows = [&page](const TerrainViewState& viewState) {
+        page.setViewState(viewState);
+        return gui::painted(*page.terrain()->canvas());
+    };
+    const QImage nothing = shows({});
+    Measurement m;
+    m.pitch = 0.2;
+    std::optional<Heights> truth = Heights{};
+    TerrainViewState heard;
+    heard.measurement = &m;
+    heard.truth = &truth;
+    heard.count = 1;
+    const QImage robot = shows(heard);
+    EXPECT_NE(robot, nothing);
+    EXPECT_EQ(shows({}), nothing) << "a review went back to before the first telemetry";
+    EXPECT_EQ(shows(heard), robot) << "the same telemetry again";
 }
 
 TEST(TerrainPageAlone, showsTheAgeOfForcesThatItHides)

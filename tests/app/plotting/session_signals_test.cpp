@@ -11,7 +11,7 @@
 
 #include "core/log/review_moment.h"
 #include "core/wire/telemetry_listener.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

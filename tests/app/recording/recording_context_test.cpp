@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/log/review_moment.h"
 #include "core/wire/telemetry_listener.h"
-#include "tests/support/csv_mapping.h"
-#include "tests/support/session_files.h"
+#include "tests/support/bytes/csv_mapping.h"
+#include "tests/support/sessions/session_files.h"
 
 namespace terratact {
 namespace {

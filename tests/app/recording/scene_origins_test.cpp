@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

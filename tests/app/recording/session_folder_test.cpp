@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/support/session_paths.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_paths.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

@@ -7,7 +7,7 @@
 
 #include "app/recording/review_notes.h"
 #include "core/log/session_writer.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/support/session_files.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_files.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

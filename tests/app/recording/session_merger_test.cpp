@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/session_merge.h"
-#include "tests/support/session_files.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_files.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

@@ -21,8 +21,8 @@
 #include "app/recording/session_merge.h"
 #include "app/runtime/steady_now.h"
 #include "core/log/session_reader.h"
-#include "tests/support/session_paths.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_paths.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/store/sha256.h"
 #include "tests/support/estimates.h"
-#include "tests/support/recorded_drive.h"
 #include "tests/support/refusal.h"
+#include "tests/support/sessions/recorded_drive.h"
 
 namespace terratact {
 namespace {

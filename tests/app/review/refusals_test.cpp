@@ -9,12 +9,12 @@
 
 #include "app/recording/review_notes.h"
 #include "app/recording/what_if.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
 #include "tests/app/review/refusals.h"
 #include "tests/support/random_model.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

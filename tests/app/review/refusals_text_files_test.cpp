@@ -12,7 +12,7 @@
 #include "core/robot/robot_model.h"
 #include "core/store/file_read.h"
 #include "core/wire/dbc/dbc_file.h"
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 #include "drivers/log_replay.h"
 #include "tests/app/review/refusals.h"
 #include "tests/support/temporary_directory.h"

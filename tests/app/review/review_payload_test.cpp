@@ -7,15 +7,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/review/review_export_dialog.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_signals_page.h"
 #include "app/review/review_window.h"
-#include "tests/support/export_bench.h"
+#include "tests/support/benches/export_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 #include "widgets/base/theme.h"
 #include "widgets/signals/signal_table.h"
-#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/readings/numbers_table.h"
 
 namespace terratact {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/review/review_window.h"
+#include "tests/support/benches/review_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_bench.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 
 namespace terratact {
 namespace {

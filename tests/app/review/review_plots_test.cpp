@@ -1,7 +1,7 @@
 // Tests the plots of a reviewed session: the whole of it, its cursor, the dock.
 #include "app/pages/plots_page.h"
 #include "app/review/review_signals_page.h"
-#include "tests/support/review_bench.h"
+#include "tests/support/benches/review_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
 #include "widgets/signals/plot_values.h"

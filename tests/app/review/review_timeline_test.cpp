@@ -12,13 +12,13 @@
 #include "app/start/language.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/log/event_text.h"
-#include "core/log/session_rows.h"
+#include "core/log/rows/session_rows.h"
 #include "core/robot/force_sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 #include "drivers/can_bus.h"
+#include "tests/support/benches/review_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_bench.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 
 namespace terratact {
 namespace {

@@ -7,10 +7,10 @@
 #include "app/pages/terrain_page.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
+#include "tests/support/benches/review_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_bench.h"
-#include "tests/support/robot_session.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "tests/support/sessions/robot_session.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

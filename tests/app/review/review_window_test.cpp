@@ -8,15 +8,16 @@
 
 #include "app/display/format.h"
 #include "app/pages/terrain_page.h"
-#include "app/review/review_export_dialog.h"
+#include "app/review/export/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "app/shell/remote_stop.h"
+#include "app/shell/text_sheet.h"
 #include "app/start/language.h"
+#include "tests/support/benches/review_bench.h"
+#include "tests/support/benches/review_command_check.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_bench.h"
-#include "tests/support/review_command_check.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
@@ -26,7 +27,7 @@
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/force_bars.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -52,6 +53,19 @@ TEST_F(ReviewOf, aSessionIsMarkedAndOffersNoCommand)
             EXPECT_FALSE(button->isVisible() && button->isEnabled())
                 << t << " " << button->text().toStdString();
     }
+}
+
+TEST_F(ReviewOf, theKeySheetNamesEveryKeyThatMovesARobotElsewhere)
+{
+    record();
+    open();
+    press(Qt::Key_F1);
+    const auto* sheet = window->findChild<TextSheet*>();
+    ASSERT_TRUE(sheet);
+    const QString note = sheet->plainText().section("In the console", 1);
+    for (const char* does : {"A explores", "B asks for a probe", "F feels forward and drives",
+                             "M arms", "Space approves", "Up and Down drive"})
+        EXPECT_TRUE(note.contains(does)) << does;
 }
 
 TEST_F(ReviewOf, theDriveStripShowsTheRecordedMoment)
@@ -161,7 +175,7 @@ TEST_F(ReviewOf, largeFontsCutNothingAndTerrainTakesFreeSpace)
         window->setRoom(c.size);
         for (; scale < c.scale; scale += 10) press(Qt::Key_Plus, Qt::ControlModifier);
         window->resize(c.size);
-        ASSERT_TRUE(eventually([&] { return !window->isMeasured(); })) << c.scale;
+        ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); })) << c.scale;
         EXPECT_EQ(lookInForce().fontScale, c.scale) << c.size.width();
         for (int page = 0; page < window->rail()->pages(); ++page) {
             window->rail()->choose(page);

@@ -8,8 +8,8 @@
 #include "app/review/review_window.h"
 #include "app/review/scenes_page.h"
 #include "app/review/what_if_page.h"
+#include "tests/support/benches/review_command_check.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_command_check.h"
 #include "widgets/control/status_header.h"
 #include "widgets/terrain/terrain_profile_view.h"
 

@@ -9,10 +9,10 @@
 #include "app/pages/terrain_page.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
+#include "tests/support/benches/review_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/review_bench.h"
-#include "tests/support/robot_session.h"
-#include "widgets/terrain/estimate_strip.h"
+#include "tests/support/sessions/robot_session.h"
+#include "widgets/terrain/readings/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

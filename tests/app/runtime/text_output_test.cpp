@@ -33,6 +33,25 @@ TEST(TextOutput, leavesTheOldFileUntilItIsCommitted)
     EXPECT_EQ(contentOf(path), "new");
 }
 
+TEST(TextOutput, leavesTheRenamingToItsGroup)
+{
+    const TemporaryDirectory directory;
+    const std::string path = directory.write("a.csv", "old");
+    FileGroup files;
+    auto output = TextOutput::begin(path);
+    ASSERT_TRUE(output);
+    output->stream() << "new";
+    ASSERT_TRUE(output->addTo(files));
+    EXPECT_EQ(contentOf(path), "old");
+    ASSERT_TRUE(files.commit());
+    EXPECT_EQ(contentOf(path), "new");
+    EXPECT_EQ(directory.entries(), std::set<std::string>{"a.csv"});
+    auto full = TextOutput::begin("/dev/full");
+    ASSERT_TRUE(full);
+    full->stream() << "x";
+    EXPECT_TRUE(refused(full->addTo(files), "/dev/full", {"cannot be written"}));
+}
+
 TEST(TextOutput, namesTheFileThatCannotBeWritten)
 {
     const TemporaryDirectory directory;

@@ -14,10 +14,10 @@
 #include "app/sessions/session_details.h"
 #include "app/sessions/session_list.h"
 #include "app/sessions/session_list_view.h"
-#include "app/shell/preference_store.h"
+#include "app/shell/preferences/preference_store.h"
 #include "core/log/session_writer.h"
 #include "tests/support/gui.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/theme.h"
 

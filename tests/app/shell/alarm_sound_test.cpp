@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/console/alarms_page.h"
+#include "app/console/pages/alarms_page.h"
 #include "app/mission/console_alarms.h"
 #include "core/store/file_read.h"
 #include "drivers/audio_output.h"

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "app/console/main_window.h"
-#include "app/console/settings_page.h"
+#include "app/console/pages/settings_page.h"
 #include "app/shell/font_fit.h"
 #include "app/shell/view_menu.h"
+#include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/look_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
@@ -41,7 +41,7 @@ TEST_F(Look, fontTooLargeForTheScreenIsReportedAndKept)
 {
     window->setRoom({1200, 680});
     window->preferences().change([](Preferences& p) { p.fontScale = 200; });
-    ASSERT_TRUE(eventually([&] { return !window->isMeasured(); }));
+    ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
     const int fits = lookInForce().fontScale;
     EXPECT_LT(fits, 200);
     EXPECT_TRUE(window->updatesEnabled());
@@ -67,6 +67,30 @@ TEST_F(Look, fontTooLargeForTheScreenIsReportedAndKept)
     window->setRoom({1200, 680});
     press(Qt::Key_Minus);
     EXPECT_EQ(lookInForce().fontScale, fits - 10) << "smaller than what is seen, not than wanted";
+}
+
+struct Paintings final : QObject {
+    bool eventFilter(QObject* /*painted*/, QEvent* event) override
+    {
+        if (event->type() == QEvent::Paint) ++count;
+        return false;
+    }
+    int count = 0;
+};
+
+TEST_F(Look, windowIsPaintedAfterARepaintWasDueWhileTheFontWasFitted)
+{
+    ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
+    window->update();
+    window->preferences().change([](Preferences& p) { p.fontScale = 90; });
+    ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
+    QApplication::processEvents();
+
+    QWidget& stop = *window->header()->stopButton();
+    Paintings paintings;
+    stop.installEventFilter(&paintings);
+    stop.update();
+    EXPECT_TRUE(eventually([&] { return paintings.count > 0; }));
 }
 
 TEST_F(Look, fontScaleStaysWithinItsLimits)

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/display/format.h"
+#include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/look_bench.h"
 
 namespace terratact {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "app/display/format.h"
 #include "app/start/language.h"
-#include "tests/support/bus_console_bench.h"
-#include "tests/support/review_bench.h"
+#include "tests/support/benches/bus_console_bench.h"
+#include "tests/support/benches/review_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/signals/alarm_table.h"
 #include "widgets/signals/raw_trace.h"

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "tests/support/look_bench.h"
+#include "tests/support/benches/look_bench.h"
 
 namespace terratact {
 namespace {
@@ -30,6 +30,16 @@ TEST_F(Look, theKeySheetListsEveryKeyAndEveryKeyActs)
     EXPECT_THROW(twice.add({{Qt::Key_B, Qt::Key_A}, "two", {}}), std::logic_error);
     const QKeyEvent withAlt(QEvent::KeyPress, Qt::Key_A, Qt::AltModifier);
     EXPECT_EQ(twice.entryOf(withAlt), nullptr);
+}
+
+TEST_F(Look, theKeySheetHasNoRowWithoutText)
+{
+    KeyTable table;
+    table.addGroup("Go");
+    table.add({{Qt::Key_1}, "to the next (with Alt: previous)", {}});
+    table.add({{QKeyCombination(Qt::ALT, Qt::Key_1)}, {}, {}});
+    EXPECT_TRUE(table.html().contains("<b>1</b>"));
+    EXPECT_FALSE(table.html().contains("Alt+1"));
 }
 
 }  // namespace

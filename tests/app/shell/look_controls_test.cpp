@@ -9,14 +9,14 @@
 #include <set>
 
 #include "app/console/main_window.h"
-#include "app/console/settings_page.h"
+#include "app/console/pages/settings_page.h"
+#include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/look_bench.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/console/main_window.h"
+#include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/look_bench.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/shell/preferences.h"
+#include "app/shell/preferences/preferences.h"
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/terrain_profile_view.h"

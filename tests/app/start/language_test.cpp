@@ -8,8 +8,8 @@
 #include <QLocale>
 #include <QSpinBox>
 
+#include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
-#include "tests/support/look_bench.h"
 #include "widgets/base/navigation_rail.h"
 
 namespace terratact {

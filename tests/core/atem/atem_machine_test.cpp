@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/atem_loop.h"
+#include "tests/support/benches/atem_loop.h"
 
 namespace terratact {
 namespace {

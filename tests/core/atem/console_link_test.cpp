@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/support/console_on_wire.h"
+#include "tests/support/benches/console_on_wire.h"
 
 namespace terratact {
 namespace {

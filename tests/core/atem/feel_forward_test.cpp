@@ -11,7 +11,7 @@
 #include "core/atem/atem_machine.h"
 #include "core/robot/attitude.h"
 #include "core/terrain/step.h"
-#include "tests/support/atem_loop.h"
+#include "tests/support/benches/atem_loop.h"
 
 namespace terratact {
 namespace {

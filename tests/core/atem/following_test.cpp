@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/atem_loop.h"
+#include "tests/support/benches/atem_loop.h"
 
 namespace terratact {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/console_on_wire.h"
+#include "tests/support/benches/console_on_wire.h"
 
 namespace terratact {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/bag_bytes.h"
-#include "tests/support/read_recording.h"
+#include "tests/support/bytes/bag_bytes.h"
+#include "tests/support/sessions/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

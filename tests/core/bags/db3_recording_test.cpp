@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/message_bytes.h"
-#include "tests/support/read_recording.h"
+#include "tests/support/bytes/message_bytes.h"
+#include "tests/support/sessions/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

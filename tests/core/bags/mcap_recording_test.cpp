@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/bags/decompress.h"
-#include "tests/support/mcap_bytes.h"
-#include "tests/support/read_recording.h"
+#include "tests/support/bytes/mcap_bytes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/sessions/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

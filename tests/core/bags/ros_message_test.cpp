@@ -7,7 +7,7 @@
 
 #include "core/bags/known_messages.h"
 #include "core/bags/message_decoder.h"
-#include "tests/support/message_bytes.h"
+#include "tests/support/bytes/message_bytes.h"
 
 namespace terratact {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "core/clouds/made_cloud.h"
-#include "tests/support/lzf_bytes.h"
+#include "tests/support/bytes/lzf_bytes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 

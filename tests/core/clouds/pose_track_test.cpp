@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "tests/support/csv_mapping.h"
-#include "tests/support/mcap_bytes.h"
+#include "tests/support/bytes/csv_mapping.h"
+#include "tests/support/bytes/mcap_bytes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/transform_text.h"

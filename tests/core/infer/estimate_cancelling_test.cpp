@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "core/atem/arm_choice.h"
+#include "core/atem/probe/arm_choice.h"
 #include "core/infer/estimator.h"
 #include "core/infer/sampling/convergence.h"
 #include "core/infer/sampling/draw_summary.h"

@@ -8,7 +8,7 @@
 #include "core/infer/closed_form.h"
 #include "core/infer/each_side.h"
 #include "core/infer/reconstruct.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "tests/support/toy_model.h"
 #include "tests/support/toy_sides.h"
 

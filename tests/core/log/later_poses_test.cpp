@@ -8,7 +8,7 @@
 
 #include "core/infer/verdict/ghost_track.h"
 #include "core/wire/telemetry_listener.h"
-#include "tests/support/recorded_drive.h"
+#include "tests/support/sessions/recorded_drive.h"
 
 namespace terratact {
 namespace {

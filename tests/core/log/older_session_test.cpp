@@ -8,11 +8,11 @@
 #include "core/infer/verdict/verdict.h"
 #include "core/log/event_text.h"
 #include "core/log/recorded_sentences.h"
-#include "core/log/recorded_words.h"
 #include "core/log/review_moment.h"
+#include "core/log/rows/recorded_words.h"
 #include "core/robot/two_tracks.h"
 #include "tests/support/absolem.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

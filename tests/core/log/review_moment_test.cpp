@@ -12,7 +12,7 @@
 #include <random>
 
 #include "core/log/session_survey.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

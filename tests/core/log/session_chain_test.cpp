@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "core/log/session_hash.h"
+#include "core/log/rows/session_hash.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
 #include "tests/core/log/session_fixture.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

@@ -9,10 +9,12 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/log/session_journal.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_salvage.h"
+#include "core/log/session_summary.h"
 #include "core/log/session_writer.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -112,6 +114,107 @@ TEST_F(DamagedSession, journalAloneIsNamedInTheError)
     EXPECT_NE(recovered.error().text.find("both files belong together"), std::string::npos);
 }
 
+TEST_F(DamagedSession, emptyJournalIsAMissingOne)
+{
+    crash(500);
+    std::filesystem::resize_file(path + "-wal", 0);
+    const std::string before = contentOf(path);
+    const auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_TRUE(reader->lacksJournal());
+    const auto recovered = recoverSession(path);
+    ASSERT_FALSE(recovered);
+    EXPECT_NE(recovered.error().text.find("both files belong together"), std::string::npos);
+    EXPECT_EQ(contentOf(path), before);
+}
+
+TEST_F(DamagedSession, aLinkIsReadWithTheJournalOfItsFile)
+{
+    crash(500);
+    std::filesystem::create_directory(directory.file("there"));
+    const std::string link = directory.file("there/link.tts");
+    std::filesystem::create_symlink("../session.tts", link);
+    auto reader = SessionReader::open(link);
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_FALSE(reader->lacksJournal());
+    EXPECT_EQ(reader->verify().frames, 500);
+    const auto pages = salvagePages(link, directory.file("scratch.tts"));
+    EXPECT_TRUE(pages) << pages.error().text;
+}
+
+TEST_F(DamagedSession, aJournalThatIsALinkOrAPipeIsNamed)
+{
+    crash(500);
+    const std::string before = contentOf(path), journal = path + "-wal";
+    std::filesystem::rename(journal, directory.file("real"));
+    std::filesystem::create_symlink("real", journal);
+    const auto linked = SessionReader::open(path);
+    ASSERT_FALSE(linked);
+    EXPECT_NE(linked.error().text.find("its journal is a symbolic link"), std::string::npos)
+        << linked.error().text;
+    std::filesystem::remove(journal);
+    ASSERT_EQ(::mkfifo(journal.c_str(), 0600), 0);
+    const auto recovered = recoverSession(path);
+    ASSERT_FALSE(recovered);
+    EXPECT_NE(recovered.error().text.find("session.tts-wal is not a file"), std::string::npos);
+    EXPECT_EQ(contentOf(path), before);
+    EXPECT_TRUE(std::filesystem::is_fifo(journal));
+}
+
+TEST_F(DamagedSession, aPipeHasNoJournalOfAnotherSession)
+{
+    const std::string pipe = directory.file("pipe.tts");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_FALSE(hasForeignJournal(pipe)) << "and does not wait for a writer";
+}
+
+/// The journal of a session under the same name was left where a closed or open session was put.
+TEST_F(DamagedSession, aJournalOfAnotherSessionIsRefused)
+{
+    constexpr std::int64_t kFrames = 100 * (SessionWriter::kCheckpointBatches + 5);
+    const std::string other = directory.file("other.tts");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        SessionStart start = someStart();
+        start.wallTime += 1;
+        ::_exit(someSession(other, kFrames, start) ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_EQ(status, 0);
+    crash(500);
+    std::filesystem::rename(path + "-wal", other + "-wal");
+    std::filesystem::remove(other + "-shm");
+    const std::string before = contentOf(other);
+    const auto refused = [](const auto& result) {
+        return !result
+            && result.error().text.find("its journal other.tts-wal was written for another session")
+                   != std::string::npos;
+    };
+    EXPECT_TRUE(refused(SessionReader::open(other)));
+    EXPECT_TRUE(refused(summarizeSession(other)));
+    EXPECT_TRUE(refused(recoverSession(other)));
+    EXPECT_TRUE(refused(recoverSession(other, true)));
+    EXPECT_EQ(contentOf(other), before);
+    const std::string scratch = directory.file("scratch.tts");
+    ASSERT_TRUE(salvagePages(other, scratch));
+    const auto saved = SessionReader::openFragments(scratch);
+    ASSERT_TRUE(saved) << saved.error().text;
+    EXPECT_EQ(saved->start().wallTime, someStart().wallTime + 1);
+    EXPECT_GE(saved->frameCount(), 100 * SessionWriter::kCheckpointBatches);
+}
+
+/// Another user's session is read without locks, so its writer may move more batches into the file meanwhile.
+TEST_F(DamagedSession, aSessionThatGrewSinceItWasOpenedKeepsItsJournal)
+{
+    crash(100 * (SessionWriter::kCheckpointBatches + 5));
+    const std::string opened = path;
+    path = directory.file("before.tts");
+    crash(500);
+    SqliteFile before = SqliteFile::openLogWithoutTrace(path, 1 << 20);
+    EXPECT_NO_THROW(requireOwnJournal(opened, before));
+}
+
 /// Runs in a process of a user without write permission. Returns its exit status.
 int asNobody(const std::function<int()>& work)
 {
@@ -140,6 +243,21 @@ TEST_F(DamagedSession, isReadWithItsJournalFromAReadOnlyFolder)
     ASSERT_EQ(::chmod(folder.c_str(), 0755), 0);
     EXPECT_EQ(frames, 50);
     EXPECT_EQ(directory.entries(), (std::set<std::string>{"session.tts", "session.tts-wal"}));
+}
+
+TEST_F(DamagedSession, anotherUserLeavesNoIndexThatItsOwnerCannotWrite)
+{
+    crash(500);
+    const std::string folder = directory.file("");
+    for (const char* const end : {"", "-wal"}) ASSERT_EQ(::chmod((path + end).c_str(), 0644), 0);
+    ASSERT_EQ(::chmod(folder.c_str(), 0777), 0);
+    if (::geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+    EXPECT_EQ(asNobody([&] { return SessionReader::open(path) ? 0 : 1; }), 0);
+    EXPECT_EQ(directory.entries(), (std::set<std::string>{"session.tts", "session.tts-wal"}));
+    ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+    ASSERT_TRUE(SessionReader::open(path));
+    EXPECT_EQ(directory.entries(), (std::set<std::string>{"session.tts", "session.tts-wal"}))
+        << "its owner may make it writable later, and the index would stay write-protected";
 }
 
 TEST_F(DamagedSession, cutAnywhereKeepsTheRowsBeforeTheCut)

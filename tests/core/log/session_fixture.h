@@ -9,8 +9,8 @@
 
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
-#include "tests/support/session_rehash.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/session_rehash.h"
+#include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

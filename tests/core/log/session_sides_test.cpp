@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/log/rows/session_tables.h"
 #include "core/log/session_reader.h"
-#include "core/log/session_tables.h"
 #include "core/log/session_writer.h"
 #include "tests/core/log/session_fixture.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/log/review_strip.h"
-#include "tests/support/robot_session.h"
+#include "tests/support/sessions/robot_session.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "tests/core/log/session_fixture.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

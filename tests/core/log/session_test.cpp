@@ -8,7 +8,7 @@
 #include "core/log/session_writer.h"
 #include "core/robot/two_tracks.h"
 #include "tests/core/log/session_fixture.h"
-#include "tests/support/sessions.h"
+#include "tests/support/sessions/sessions.h"
 
 namespace terratact {
 namespace {

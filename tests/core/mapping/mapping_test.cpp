@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "tests/support/csv_mapping.h"
+#include "tests/support/bytes/csv_mapping.h"
 
 namespace terratact {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/mapping/telemetry_lines.h"
-#include "tests/support/csv_mapping.h"
-#include "tests/support/mcap_bytes.h"
+#include "tests/support/bytes/csv_mapping.h"
+#include "tests/support/bytes/mcap_bytes.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/transform_text.h"
 

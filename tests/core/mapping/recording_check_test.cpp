@@ -8,8 +8,8 @@
 
 #include "core/mapping/mapping_proposal.h"
 #include "core/mapping/recording_survey.h"
-#include "tests/support/csv_mapping.h"
-#include "tests/support/mcap_bytes.h"
+#include "tests/support/bytes/csv_mapping.h"
+#include "tests/support/bytes/mcap_bytes.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {

@@ -52,6 +52,14 @@ TEST(Attitude, IsJudgedByTheOperatorsLimits)
     EXPECT_EQ(attitudeOf(tilted(31.0, -21.0), absolem(), limits).roll, AttitudeLevel::Amber);
 }
 
+TEST(Attitude, TellsTheTipOverAngleFromItsReserve)
+{
+    EXPECT_FALSE(attitudeOf(tilted(45.0, 0.0), absolem(), {}).beyondTipping);
+    EXPECT_TRUE(attitudeOf(tilted(60.0, 0.0), absolem(), {}).beyondTipping);
+    EXPECT_TRUE(attitudeOf(tilted(-75.0, 0.0), absolem(), {}).beyondTipping);
+    EXPECT_TRUE(attitudeOf(tilted(0.0, 75.0), absolem(), {}).beyondTipping);
+}
+
 TEST(Attitude, IsRedNearTippingOverForAnyLimits)
 {
     const AttitudeLimits wide{80.0 * kDegree, 80.0 * kDegree};

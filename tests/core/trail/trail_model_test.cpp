@@ -15,7 +15,7 @@
 
 #include "core/infer/estimate/hazards.h"
 #include "core/infer/two_track_estimator.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/way_drive.h"
 #include "core/trail/trail_file.h"

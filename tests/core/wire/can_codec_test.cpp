@@ -14,7 +14,7 @@
 #include "core/terrain/bins.h"
 #include "core/wire/dbc/dbc_file.h"
 #include "core/wire/e2e.h"
-#include "tests/support/dbc_frames.h"
+#include "tests/support/bytes/dbc_frames.h"
 
 namespace terratact {
 namespace {

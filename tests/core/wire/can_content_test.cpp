@@ -9,7 +9,7 @@
 
 #include "core/terrain/bins.h"
 #include "core/wire/can_codec.h"
-#include "tests/support/dbc_frames.h"
+#include "tests/support/bytes/dbc_frames.h"
 
 namespace terratact {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 #include "tests/core/wire/logs.h"
 #include "tests/support/refusal.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/wire/log_reader.h"
+#include "core/wire/logs/log_reader.h"
 
 namespace terratact {
 

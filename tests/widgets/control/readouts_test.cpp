@@ -22,8 +22,8 @@
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
-#include "widgets/terrain/estimate_strip.h"
-#include "widgets/terrain/verdict_strip.h"
+#include "widgets/terrain/readings/estimate_strip.h"
+#include "widgets/terrain/readings/verdict_strip.h"
 
 namespace terratact {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "tests/support/terrain_bench.h"
+#include "tests/support/benches/terrain_bench.h"
 
 namespace terratact {
 namespace {

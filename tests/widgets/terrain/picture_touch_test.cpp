@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/support/terrain_bench.h"
+#include "tests/support/benches/terrain_bench.h"
 #include "widgets/terrain/bin_inspector.h"
 
 namespace terratact {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <qwt_plot_curve.h>
 
+#include "tests/support/benches/terrain_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/terrain_bench.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/benches/terrain_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/terrain_bench.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/contact_marks.h"

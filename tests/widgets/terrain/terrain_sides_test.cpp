@@ -5,9 +5,9 @@
 #include <qwt_legend.h>
 #include <qwt_legend_label.h>
 
+#include "tests/support/benches/terrain_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "tests/support/terrain_bench.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/bin_inspector.h"

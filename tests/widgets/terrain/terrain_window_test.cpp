@@ -3,7 +3,7 @@
 
 #include <QWheelEvent>
 
-#include "tests/support/terrain_bench.h"
+#include "tests/support/benches/terrain_bench.h"
 #include "widgets/terrain/bin_inspector.h"
 
 namespace terratact {

@@ -7,6 +7,7 @@
 
 #include "core/infer/estimator.h"
 #include "core/learn/data/columns.h"
+#include "core/learn/model/side_training.h"
 #include "core/learn/model/training.h"
 #include "core/sim/sensor_noise.h"
 #include "tests/support/toy_model.h"
@@ -178,6 +179,18 @@ TEST(SceneCopies, countsTheScenesAModelWasTrainedOn)
     std::vector<Scene> lacking = scenes;
     for (Scene& scene : lacking) scene.s.frontCurrent.reset();
     EXPECT_EQ(trainingScenes(lacking, model.features), 0U);
+}
+
+TEST(SceneCopies, countsTheScenesOfTwoTracksAModelWasTrainedOn)
+{
+    std::vector<TwoTrackScene> scenes = onBothSides(scenesOf(20));
+    for (TwoTrackScene& scene : scenes) scene.s.roll = 0.1;
+    const SideTrainingSet set = prepareSides(scenes);
+    EXPECT_EQ(trainingScenes(scenes, set.rows.features), static_cast<std::size_t>(set.used));
+    EXPECT_GT(set.used, 0);
+    EXPECT_EQ(trainingScenes(onBothSides(someScenes(10, 6)), set.rows.features), 0U);
+    for (TwoTrackScene& scene : scenes) scene.s.roll = 0.2;
+    EXPECT_EQ(trainingScenes(scenes, set.rows.features), 0U) << "another roll is another scene";
 }
 
 TEST(SceneCopies, recognisesScenesInAnotherNumberFormat)

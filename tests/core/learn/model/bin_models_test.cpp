@@ -13,7 +13,7 @@
 
 #include "core/infer/estimate/quality_preset.h"
 #include "core/learn/gp/scene_conditional.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {

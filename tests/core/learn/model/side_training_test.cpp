@@ -5,12 +5,13 @@
 
 #include <stdexcept>
 
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/side_features.h"
-#include "core/learn/model/model_file.h"
+#include "core/learn/model/file/model_file.h"
 #include "core/learn/model/reduced_clearances.h"
-#include "tests/support/execute_sql.h"
 #include "tests/support/random_model.h"
 #include "tests/support/refusal.h"
+#include "tests/support/sessions/execute_sql.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_sides.h"
 
@@ -45,6 +46,44 @@ TEST(SideTraining, learnsFromBothSidesOfEveryScene)
     EXPECT_THROW((void)prepareSides(scenes), std::invalid_argument);
 }
 
+/// Returns scenes of different places: level ground may look the same at two stops.
+std::vector<TwoTrackScene> differentScenes()
+{
+    const std::vector<TwoTrackScene> all = someTrackScenes(6, 3);
+    std::vector<const TwoTrackScene*> pointers;
+    for (const TwoTrackScene& scene : all) pointers.push_back(&scene);
+    std::vector<TwoTrackScene> different;
+    for (const TwoTrackScene* const scene : withoutCopies(pointers).kept)
+        different.push_back(*scene);
+    EXPECT_GE(different.size(), all.size() * 9 / 10);
+    return different;
+}
+
+TEST(SideTraining, leavesCopiesOut)
+{
+    const std::vector<TwoTrackScene> once = differentScenes();
+    const SideTrainingSet single = prepareSides(once);
+    EXPECT_EQ(single.exactCopies + single.nearCopies, 0);
+    std::vector<TwoTrackScene> more = once;
+    for (std::size_t k = 0; k < once.size(); ++k) {
+        TwoTrackScene copy = k % 2 == 0 ? once[k] : mirrored(once[k]);
+        copy.run = "again";
+        if (k % 3 == 0) {
+            copy.s.pitch += 0.01;
+            copy.s.forces[0][2] = copy.s.forces[0][2].value_or(0.0) + 0.2;
+            copy.truth[1][3] = *copy.truth[1][3] + 0.005;
+        }
+        more.push_back(copy);
+    }
+    const SideTrainingSet set = prepareSides(more);
+    EXPECT_EQ(set.rows.features, single.rows.features);
+    EXPECT_EQ(set.rows.heights, single.rows.heights);
+    EXPECT_EQ(set.leftOut, 0);
+    EXPECT_EQ(set.nearCopies, static_cast<int>((once.size() + 2) / 3));
+    EXPECT_EQ(set.exactCopies + set.nearCopies, static_cast<int>(once.size()));
+    EXPECT_EQ(set.runsWithCopies, std::set<std::string>{"again"});
+}
+
 /// Returns scenes in which every third right side does not know bins 5 and 10.
 std::vector<TwoTrackScene> withHoles(std::vector<TwoTrackScene> scenes)
 {
@@ -57,7 +96,7 @@ std::vector<TwoTrackScene> withHoles(std::vector<TwoTrackScene> scenes)
 
 TEST(SideTraining, learnsTheKnownBinsOfScenesWithHoles)
 {
-    const std::vector<TwoTrackScene> scenes = someTrackScenes(6, 3);
+    const std::vector<TwoTrackScene> scenes = differentScenes();
     const SideTrainingSet whole = prepareSides(scenes), holed = prepareSides(withHoles(scenes));
     EXPECT_EQ(whole.withHoles, 0);
     EXPECT_TRUE(whole.rows.unknownBins.empty());
@@ -74,7 +113,7 @@ TEST(SideTraining, learnsTheKnownBinsOfScenesWithHoles)
 
 TEST(SideTraining, namesTheBinThatTooFewScenesKnow)
 {
-    std::vector<TwoTrackScene> scenes = someTrackScenes(6, 3);
+    std::vector<TwoTrackScene> scenes = differentScenes();
     for (std::size_t k = 12; k < scenes.size(); ++k)
         for (OptionalHeights& side : scenes[k].truth) side[10].reset();
     try {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/wire/dbc/dbc.h"
-#include "tests/support/dbc_text.h"
+#include "tests/support/bytes/dbc_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 

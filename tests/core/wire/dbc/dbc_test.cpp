@@ -11,7 +11,7 @@
 
 #include "core/wire/can_codec.h"
 #include "core/wire/dbc/dbc_file.h"
-#include "tests/support/dbc_text.h"
+#include "tests/support/bytes/dbc_text.h"
 
 namespace terratact {
 namespace {

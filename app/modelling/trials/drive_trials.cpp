@@ -1,0 +1,275 @@
+#include "app/modelling/trials/drive_trials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "app/runtime/parallel.h"
+#include "app/runtime/stopwatch.h"
+#include "core/infer/two_track_estimator.h"
+#include "core/learn/data/drive_file.h"
+#include "core/trail/trail_record.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kScoredBins = 9;  // -0.3 … 0.5 m
+constexpr std::size_t kDrivesPerTurn = 32;
+
+/// A scene's bins against the truth, of one side.
+struct JudgedSide {
+    std::array<double, kBins> error{};  ///< |error| [m]; NaN without a truth
+    std::array<bool, kBins> inside{};
+    bool isEarly = false;
+};
+
+/// Judged scenes of one drive, by method.
+struct JudgedScenes {
+    std::vector<std::vector<JudgedSide>> sides;
+    std::vector<std::vector<double>> cpu;  ///< [s]
+    std::size_t early = 0, whole = 0, failed = 0;
+};
+
+JudgedSide judgedSide(const TerrainEstimate& estimate, const OptionalHeights& truth, bool early)
+{
+    JudgedSide side;
+    side.isEarly = early;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        side.error[i] = truth[i] ? std::abs(estimate.height[i] - *truth[i]) : std::nan("");
+        side.inside[i] = truth[i] && estimate.q10[i] <= *truth[i] && *truth[i] <= estimate.q90[i];
+    }
+    return side;
+}
+
+class DriveJudge {
+public:
+    DriveJudge(const EstimatorBundle& bundle, const std::vector<Method>& methods,
+               const Settings& settings)
+        : bundle_(bundle), methods_(methods), settings_(settings)
+    {
+    }
+
+    JudgedScenes run(const DriveLines& drive) const
+    {
+        JudgedScenes judged;
+        judged.sides.resize(methods_.size());
+        judged.cpu.resize(methods_.size());
+        TrailRecord record(bundle_.robot);
+        for (const DriveLine& line : drive.lines) {
+            if (!line.isScene) {
+                record.add(line.line);
+                continue;
+            }
+            judge(line, drive.onePlane, record, judged);
+            record.addScene(line.line);
+        }
+        return judged;
+    }
+
+private:
+    void judge(const DriveLine& line, bool onePlane, const TrailRecord& record,
+               JudgedScenes& judged) const
+    {
+        const bool early = record.length() < kWholeMemory;
+        ++(early ? judged.early : judged.whole);
+        for (std::size_t m = 0; m < methods_.size(); ++m) {
+            Settings own = settings_;
+            own.method = methods_[m];
+            const ProcessorStopwatch watch;
+            try {
+                const bool isTrail = own.method == Method::Trail;
+                const TrailHistory history = isTrail ? record.before(line.line) : TrailHistory{};
+                const TwoTrackEstimate estimate = estimateMeasured(
+                    line.line, {}, bundle_.robot, bundle_.models, own, {}, &history);
+                judged.cpu[m].push_back(watch.seconds());
+                for (std::size_t side = 0; side < (onePlane ? 1U : 2U); ++side)
+                    judged.sides[m].push_back(
+                        judgedSide(estimate.side.at(side), line.truth.at(side), early));
+            } catch (const std::invalid_argument&) {  // RefusedInput, too
+                ++judged.failed;
+            }
+        }
+    }
+
+    const EstimatorBundle& bundle_;
+    const std::vector<Method>& methods_;
+    const Settings& settings_;
+};
+
+double medianOf(std::vector<double> values)
+{
+    if (values.empty()) return std::nan("");
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+double meanOf(const std::vector<double>& values)
+{
+    if (values.empty()) return std::nan("");
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Errors of some bins over all sides.
+struct BinErrors {
+    std::vector<double> errors;
+    double inside = 0.0;
+
+    void add(const JudgedSide& side, std::size_t bin)
+    {
+        if (std::isnan(side.error.at(bin))) return;
+        errors.push_back(side.error.at(bin));
+        inside += side.inside.at(bin) ? 1.0 : 0.0;
+    }
+    double cover() const
+    {
+        return errors.empty() ? std::nan("") : inside / static_cast<double>(errors.size());
+    }
+};
+
+DriveScores scoresOf(Method method, const std::vector<JudgedSide>& sides, bool early,
+                     std::vector<double> cpu)
+{
+    BinErrors scored;
+    std::array<BinErrors, kBins> bins;
+    for (const JudgedSide& side : sides) {
+        if (side.isEarly != early) continue;
+        for (std::size_t i = 0; i < kBins; ++i) {
+            bins.at(i).add(side, i);
+            if (i < kScoredBins) scored.add(side, i);
+        }
+    }
+    DriveScores scores;
+    scores.name = name(method);
+    scores.median = medianOf(scored.errors);
+    scores.mean = meanOf(scored.errors);
+    scores.in80 = scored.cover();
+    scores.cpu = medianOf(std::move(cpu));
+    for (std::size_t i = 0; i < kBins; ++i) {
+        scores.medians.at(i) = medianOf(bins.at(i).errors);
+        scores.means.at(i) = meanOf(bins.at(i).errors);
+        scores.cover.at(i) = bins.at(i).cover();
+    }
+    return scores;
+}
+
+template <class T>
+void appendAll(std::vector<T>& to, const std::vector<T>& more)
+{
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+/// Judges drives as they are read, some at a time.
+class DriveJudges {
+public:
+    DriveJudges(const DriveJudge& judge, std::size_t methods) : judge_(judge)
+    {
+        all_.sides.resize(methods);
+        all_.cpu.resize(methods);
+    }
+
+    void add(DriveLines&& drive)
+    {
+        waiting_.push_back(std::move(drive));
+        if (waiting_.size() == kDrivesPerTurn) flush();
+    }
+
+    void flush()
+    {
+        std::vector<JudgedScenes> judged(waiting_.size());
+        parallelFor(static_cast<int>(waiting_.size()), [&](int k) {
+            const auto drive = static_cast<std::size_t>(k);
+            judged[drive] = judge_.run(waiting_[drive]);
+        });
+        for (const JudgedScenes& drive : judged) {
+            for (std::size_t m = 0; m < all_.sides.size(); ++m) {
+                appendAll(all_.sides[m], drive.sides[m]);
+                appendAll(all_.cpu[m], drive.cpu[m]);
+            }
+            all_.early += drive.early;
+            all_.whole += drive.whole;
+            all_.failed += drive.failed;
+            ++drives_;
+        }
+        waiting_.clear();
+    }
+
+    const JudgedScenes& all() const { return all_; }
+    std::size_t drives() const { return drives_; }
+
+private:
+    const DriveJudge& judge_;
+    std::vector<DriveLines> waiting_;
+    JudgedScenes all_;
+    std::size_t drives_ = 0;
+};
+
+std::string scoreTable(const std::vector<DriveScores>& scores)
+{
+    constexpr double kMm = 1000.0;
+    std::string text = fmt::format("{:8} {:>7} {:>7} {:>7}   {}\n", "method", "median", "mean",
+                                   "in 80%", "median by bin, -0.3 ... 0.7 m");
+    for (const DriveScores& s : scores) {
+        text += fmt::format("{:8} {:7.2f} {:7.2f} {:7.1f}  ", s.name, kMm * s.median, kMm * s.mean,
+                            100.0 * s.in80);
+        for (const double median : s.medians) text += fmt::format(" {:5.1f}", kMm * median);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string coverTable(const std::vector<DriveScores>& scores)
+{
+    std::string text =
+        fmt::format("{:8} {:>9}   {}\n", "method", "CPU [ms]", "80 % bands cover [%], by bin");
+    for (const DriveScores& s : scores) {
+        text += fmt::format("{:8} {:9.2f}  ", s.name, 1000.0 * s.cpu);
+        for (const double cover : s.cover) text += fmt::format(" {:5.1f}", 100.0 * cover);
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBundle& bundle,
+                                     const std::vector<Method>& methods, const Settings& settings,
+                                     const std::function<void(const Message&)>& notice)
+{
+    const DriveJudge judge(bundle, methods, settings);
+    DriveJudges judges(judge, methods.size());
+    const auto read = readDrives(path, [&](DriveLines&& drive) { judges.add(std::move(drive)); });
+    if (!read) return read.error();
+    for (const Message& sentence : *read) notice(sentence);
+    judges.flush();
+    const JudgedScenes& all = judges.all();
+    DriveFindings findings{.drives = judges.drives(),
+                           .scenes = all.whole,
+                           .early = all.early,
+                           .failed = all.failed,
+                           .whole = {},
+                           .begin = {}};
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+        findings.whole.push_back(scoresOf(methods[m], all.sides[m], false, all.cpu[m]));
+        findings.begin.push_back(scoresOf(methods[m], all.sides[m], true, all.cpu[m]));
+    }
+    return findings;
+}
+
+std::string driveTable(const DriveFindings& findings)
+{
+    std::string text = fmt::format(
+        "{} drives\n\n{} scenes after {:.2f} m of way or more, bins -0.3 ... 0.5 m [mm]\n",
+        findings.drives, findings.scenes, kWholeMemory);
+    text += scoreTable(findings.whole) + "\n" + coverTable(findings.whole);
+    text += fmt::format("\n{} scenes before, at the begin of a drive\n", findings.early);
+    text += scoreTable(findings.begin);
+    if (findings.failed > 0) text += fmt::format("{} estimates failed\n", findings.failed);
+    return text;
+}
+
+}  // namespace terratact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/store/sqlite.h"
+
+namespace terratact {
+
+/// Throws if the journal beside a session was written for another one: SQLite would replace parts of
+/// the main file by it. Through its own journal, a session has the start and the last batch of its
+/// main file. session: opened with the journal, now or before a live session grew. Does nothing if the
+/// main file has no start yet. Disturbs no writer.
+void requireOwnJournal(const std::string& path, SqliteFile& session);
+
+/// Returns true if requireOwnJournal() finds another session's journal.
+bool hasForeignJournal(const std::string& path);
+
+}  // namespace terratact

@@ -1,0 +1,33 @@
+#include "core/wire/logs/log_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terratact {
+
+std::optional<double> LogClock::add(double time, const std::string& interface)
+{
+    ++frames_;
+    if (!first_) {
+        first_ = base_ = last_ = time;
+        lastOf_[interface] = time;
+        return std::nullopt;
+    }
+    const auto known = lastOf_.find(interface);
+    const double back = last_ - time;
+    const bool isSet = std::abs(back) > kMaxSilence || back > kDisorder
+                    || (known != lastOf_.end() && known->second - time > kJitter);
+    if (time <= last_) ++notLater_;
+    std::optional<double> step;
+    if (isSet) {
+        step = back > kDisorder || back < 0.0 ? back : known->second - time;
+        base_ = time - elapsed_;
+        lastOf_.clear();
+    }
+    elapsed_ = std::max(elapsed_, time - base_);
+    last_ = isSet ? time : std::max(last_, time);
+    if (lastOf_.size() < kMaxInterfaces || lastOf_.contains(interface)) lastOf_[interface] = time;
+    return step;
+}
+
+}  // namespace terratact
