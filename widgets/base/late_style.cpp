@@ -1,13 +1,21 @@
 #include "widgets/base/late_style.h"
 
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QEvent>
-#include <QScrollArea>
 #include <QSet>
 #include <utility>
 
 namespace terratact {
 namespace {
+
+/// Returns true for a scroll area, and for the part of one that shows its content.
+bool laysOutContent(const QObject* object)
+{
+    if (qobject_cast<const QAbstractScrollArea*>(object)) return true;
+    const auto* const area = qobject_cast<const QAbstractScrollArea*>(object->parent());
+    return area && area->viewport() == object;
+}
 
 class LateStyle final : public QObject {
 public:
@@ -15,26 +23,24 @@ public:
 
     bool eventFilter(QObject* object, QEvent* event) override
     {
-        if (event->type() != QEvent::StyleChange && event->type() != QEvent::Show) return false;
-        auto* const area = qobject_cast<QScrollArea*>(object);
-        if (!area) return false;
-        if (event->type() == QEvent::Show) return told(*area);
-        if (area->isVisible()) return false;
-        if (!untold_.contains(area)) {
-            untold_.insert(area);
-            connect(area, &QObject::destroyed, this, [this, area] { untold_.remove(area); });
+        if (event->type() == QEvent::Show) return told(object);
+        if (event->type() != QEvent::StyleChange || !laysOutContent(object)) return false;
+        if (static_cast<QWidget*>(object)->isVisible()) return false;
+        if (!untold_.contains(object)) {
+            untold_.insert(object);
+            connect(object, &QObject::destroyed, this, [this, object] { untold_.remove(object); });
         }
         return true;
     }
 
 private:
     /// Tells an area what it missed; the area shall receive the present event, too.
-    bool told(QScrollArea& area)
+    bool told(QObject* area)
     {
-        if (!untold_.remove(&area)) return false;
-        disconnect(&area, &QObject::destroyed, this, nullptr);
+        if (!untold_.remove(area)) return false;
+        disconnect(area, &QObject::destroyed, this, nullptr);
         QEvent change(QEvent::StyleChange);
-        QCoreApplication::sendEvent(&area, &change);
+        QCoreApplication::sendEvent(area, &change);
         return false;
     }
 

@@ -4,8 +4,8 @@ class QApplication;
 
 namespace terratact {
 
-/// Lets hidden scroll areas learn of a new style when they are shown. At each change of the style,
-/// Qt lays out all scroll areas, also those of pages that nobody sees. Call once.
+/// Lets hidden scroll areas, tables and lists learn of a new style when they are shown. At each
+/// change of the style, Qt lays out all of them, also those of pages that nobody sees. Call once.
 void tellHiddenAreasLate(QApplication& application);
 
 }  // namespace terratact

@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTableWidget>
 #include <memory>
 
 namespace terratact {
@@ -61,6 +62,39 @@ TEST_F(LateStyle, reachesAHiddenAreaOnceWhenItIsShown)
     area->hide();
     area->show();
     EXPECT_EQ(area->changes, 1) << "nothing was missed";
+}
+
+/// Counts the changes of style that reach a table and the part of it that shows its cells.
+class CountingTable final : public QTableWidget {
+public:
+    CountingTable() : QTableWidget(2, 2) {}
+    int changes = 0;
+
+protected:
+    bool event(QEvent* event) override
+    {
+        if (event->type() == QEvent::StyleChange) ++changes;
+        return QTableWidget::event(event);
+    }
+
+    bool viewportEvent(QEvent* event) override
+    {
+        if (event->type() == QEvent::StyleChange) ++changes;
+        return QTableWidget::viewportEvent(event);
+    }
+};
+
+TEST_F(LateStyle, reachesAHiddenTableOnceWhenItIsShown)
+{
+    CountingTable table;
+    table.show();
+    table.hide();
+    table.changes = 0;
+    qApp->setStyleSheet(QStringLiteral("QHeaderView::section { min-height: 70px; }"));
+    EXPECT_EQ(table.changes, 0);
+    table.show();
+    EXPECT_EQ(table.changes, 2) << "the table and what shows its cells";
+    EXPECT_GE(table.horizontalHeader()->height(), 70);
 }
 
 TEST_F(LateStyle, reachesAVisibleAreaAtOnce)
