@@ -87,11 +87,15 @@ function(terratact_library target)
   endif()
 endfunction()
 
-# terratact_quick(<target>)
+# terratact_quick(<target> [LIGHT])
 # With TERRATACT_QUICK, compiles a target in less time, with -Og instead of -O3. Estimates then take 1.5 times as long.
+#   LIGHT: the target parses, calls and shows, and computes little. A release compiles it with -O1, a quarter faster.
 function(terratact_quick target)
+  cmake_parse_arguments(quick "LIGHT" "" "" ${ARGN})
   if(TERRATACT_QUICK)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+  elseif(quick_LIGHT)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
 
