@@ -28,6 +28,7 @@
 #include "app/shell/view_menu.h"
 #include "widgets/base/calm_wheel.h"
 #include "widgets/base/elided_label.h"
+#include "widgets/base/hidden_pages.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
@@ -59,7 +60,10 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     header_ = new StatusHeader(this);
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
-    connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
+    connect(rail_, &NavigationRail::pageChosen, this, [this](int page) {
+        styleHiddenPage(*pages_->widget(page));
+        pages_->setCurrentIndex(page);
+    });
 
     right_ = new QVBoxLayout;
     right_->setSpacing(0);
@@ -87,9 +91,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     qApp->installEventFilter(new CalmWheel(this));
     connect(&prepare_, &QTimer::timeout, this, &ConsoleWindow::prepareSome);
     tryLater_.setSingleShot(true);
-    connect(&tryLater_, &QTimer::timeout, this, [this] {
-        if (!triedFits()) fitLettersInTurns();
-    });
+    connect(&tryLater_, &QTimer::timeout, this, &ConsoleWindow::fitInThisTurn);
 }
 
 QLabel* ConsoleWindow::addStrip(const QString& look)

@@ -122,8 +122,10 @@ private:
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
     void fitLetters();  ///< fits the font at once
-    /// Fits the font from trying_ down. Each scale takes two turns of the event loop: font, then layout.
+    /// Fits the font from trying_ down. Each scale takes several turns of the event loop:
+    /// font, hidden pages, layout.
     void fitLettersInTurns();
+    void fitInThisTurn();
     void applyTried();  ///< applies trying_
     /// Lays out with trying_, which is applied. Returns false if it is too large, and sets trying_ to the next scale.
     bool triedFits();

@@ -9,6 +9,7 @@
 #include "app/shell/console_window.h"
 #include "app/shell/font_fit.h"
 #include "app/shell/preferences/preferences.h"
+#include "widgets/base/hidden_pages.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
@@ -139,8 +140,10 @@ int ConsoleWindow::largestToTry() const
 void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
-    do applyTried();
-    while (!triedFits());
+    do {
+        applyTried();
+        styleHiddenPages();
+    } while (!triedFits());
 }
 
 void ConsoleWindow::fitLettersInTurns()
@@ -148,6 +151,14 @@ void ConsoleWindow::fitLettersInTurns()
     setUpdatesEnabled(false);  // hides the intermediate font sizes
     applyTried();
     tryLater_.start(0);
+}
+
+void ConsoleWindow::fitInThisTurn()
+{
+    constexpr int kTurn = 5;  // [ms]
+    // The window has the size that the largest of its pages needs, so all of them count.
+    if (!styleHiddenPages(kTurn)) return tryLater_.start(0);
+    if (!triedFits()) fitLettersInTurns();
 }
 
 void ConsoleWindow::applyTried()

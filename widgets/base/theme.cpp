@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "widgets/base/focus_mark.h"
+#include "widgets/base/hidden_pages.h"
 #include "widgets/base/late_style.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/spoken.h"
@@ -107,7 +108,10 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     // A style sheet wraps the style; a second style would be wrapped, too.
     if (first) QApplication::setStyle(new TargetStyle);
     // Without a style sheet the font costs half. Each of the calls below visits every widget.
-    if (!first && kSheetIsDroppedFirst) dropSheet(application);
+    if (!first && kSheetIsDroppedFirst) {
+        postponeHiddenPages(application);
+        dropSheet(application);
+    }
     if (letters) {
         QFont font = QApplication::font();
         font.setPixelSize(scaled(14));

@@ -9,7 +9,8 @@ class QLabel;
 namespace terratact {
 
 /// Applies style, fonts, colours and style sheet to the console. Call before the first window opens. A later call
-/// restyles all windows; each of their widgets gets QEvent::StyleChange. fontScale: [%].
+/// restyles all windows; each of their widgets gets QEvent::StyleChange, those of hidden pages later
+/// (hidden_pages.h). fontScale: [%].
 void applyLook(QApplication& application, ThemeName name = ThemeName::Day, int fontScale = 100);
 
 /// Values of the last applyLook() call.
