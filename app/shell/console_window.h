@@ -58,6 +58,9 @@ public:
     /// [px] minimum size of any window, if its screen is large enough.
     static constexpr QSize kMin{1200, 680};
 
+signals:
+    void fontFitted();
+
 protected:
     ConsoleWindow();
 

@@ -123,6 +123,10 @@ QSize ConsoleWindow::roomBelowHeader() const
 
 void ConsoleWindow::putBelowHeader(QWidget& other) const
 {
+    if (isFittingFont())  // the header changes its height
+        connect(
+            this, &ConsoleWindow::fontFitted, &other, [this, &other] { putBelowHeader(other); },
+            Qt::SingleShotConnection);
     const QSize room = roomBelowHeader();
     other.resize(other.size().boundedTo(room));
     const QSize spare = room - other.size();
@@ -192,6 +196,7 @@ bool ConsoleWindow::triedFits()
     setUpdatesEnabled(true);
     // A repaint that was due while updates were off is dropped, and Qt then waits for it forever.
     QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
+    emit fontFitted();
     return true;
 }
 
