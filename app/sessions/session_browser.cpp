@@ -231,7 +231,7 @@ void browseSessions(QWidget& parent, BrowserWish wish)
     auto* browser = new SessionBrowser(std::move(wish), &parent);
     browser->setAttribute(Qt::WA_DeleteOnClose);
     QSize wanted(scaled(1180), scaled(680));
-    if (const auto* console = qobject_cast<const ConsoleWindow*>(&parent)) {
+    if (auto* const console = qobject_cast<ConsoleWindow*>(&parent)) {
         browser->resize(wanted.boundedTo(console->roomBelowHeader()));
         console->putBelowHeader(*browser);
     } else {

@@ -280,7 +280,7 @@ void ConsoleWindow::showAbout()
     showSheet(*about_);
 }
 
-void ConsoleWindow::showSheet(TextSheet& sheet) const
+void ConsoleWindow::showSheet(TextSheet& sheet)
 {
     putBelowHeader(sheet);
     sheet.show();

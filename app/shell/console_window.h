@@ -44,8 +44,10 @@ public:
     int bannerLine() const;     ///< [px] height of a banner, shown or not
     int bannersHeight() const;  ///< [px] height that shown banners take from the pages
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
-    void putBelowHeader(QWidget& other) const;
-    QSize roomBelowHeader() const;  ///< [px] for such a window, without its desktop frame
+    void putBelowHeader(QWidget& other);
+    /// Returns the room [px] for such a window, without its desktop frame. Ends the fitting of the font first, because the
+    /// header changes its height then.
+    QSize roomBelowHeader();
     /// Shows a widget below all pages while the window has height to spare. No page gets smaller
     /// than it needs; null: nothing. Its former parent gives it away.
     void setDock(QWidget* docked);
@@ -57,9 +59,6 @@ public:
     void closeUnasked();
     /// [px] minimum size of any window, if its screen is large enough.
     static constexpr QSize kMin{1200, 680};
-
-signals:
-    void fontFitted();
 
 protected:
     ConsoleWindow();
@@ -112,7 +111,7 @@ protected:
 private:
     void showKeys();
     void showAbout();
-    void showSheet(TextSheet& sheet) const;
+    void showSheet(TextSheet& sheet);
     bool pressesStopBesidePopup(const QEvent& event) const;
     QLabel* addStrip(QLabel* strip, const QString& look);
     /// Returns what the desktop's frame adds [px]; zero until the desktop has added it.
@@ -129,7 +128,8 @@ private:
     /// font, hidden pages, layout.
     void fitLettersInTurns();
     void fitInThisTurn();
-    void applyTried();  ///< applies trying_
+    void finishFitting();  ///< fits the font from trying_ down, at once; trying_ is applied
+    void applyTried();     ///< applies trying_
     /// Lays out with trying_, which is applied. Returns false if it is too large, and sets trying_ to the next scale.
     bool triedFits();
     void layOutAnew();

@@ -115,18 +115,15 @@ int ConsoleWindow::bannersHeight() const
     return std::max(0, belowBanners()->y() - header_->y() - header_->height() - strips);
 }
 
-QSize ConsoleWindow::roomBelowHeader() const
+QSize ConsoleWindow::roomBelowHeader()
 {
+    if (tryLater_.isActive()) finishFitting();
     // Both windows have the same frame.
     return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame();
 }
 
-void ConsoleWindow::putBelowHeader(QWidget& other) const
+void ConsoleWindow::putBelowHeader(QWidget& other)
 {
-    if (isFittingFont())  // the header changes its height
-        connect(
-            this, &ConsoleWindow::fontFitted, &other, [this, &other] { putBelowHeader(other); },
-            Qt::SingleShotConnection);
     const QSize room = roomBelowHeader();
     other.resize(other.size().boundedTo(room));
     const QSize spare = room - other.size();
@@ -144,10 +141,18 @@ int ConsoleWindow::largestToTry() const
 void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
-    do {
+    applyTried();
+    finishFitting();
+}
+
+void ConsoleWindow::finishFitting()
+{
+    tryLater_.stop();
+    styleHiddenPages();
+    while (!triedFits()) {
         applyTried();
         styleHiddenPages();
-    } while (!triedFits());
+    }
 }
 
 void ConsoleWindow::fitLettersInTurns()
@@ -196,7 +201,6 @@ bool ConsoleWindow::triedFits()
     setUpdatesEnabled(true);
     // A repaint that was due while updates were off is dropped, and Qt then waits for it forever.
     QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
-    emit fontFitted();
     return true;
 }
 

@@ -73,10 +73,10 @@ protected:
     }
 };
 
-const ConsoleWindow* consoleOf(const QWidget& widget)
+ConsoleWindow* consoleOf(QWidget& widget)
 {
-    for (const QWidget* at = &widget; at; at = at->parentWidget())
-        if (const auto* console = qobject_cast<const ConsoleWindow*>(at)) return console;
+    for (QWidget* at = &widget; at; at = at->parentWidget())
+        if (auto* const console = qobject_cast<ConsoleWindow*>(at)) return console;
     return nullptr;
 }
 
@@ -93,7 +93,7 @@ void askForFile(QWidget& parent, const FileWish& wish,
     auto* dialog = new FileDialog(parent, wish);
     QObject::connect(dialog, &QFileDialog::fileSelected, &parent, std::move(chosen));
     dialog->resize(dialog->sizeHint().expandedTo(QSize(scaled(760), scaled(440))));
-    if (const ConsoleWindow* console = consoleOf(parent)) console->putBelowHeader(*dialog);
+    if (ConsoleWindow* const console = consoleOf(parent)) console->putBelowHeader(*dialog);
     dialog->show();
 }
 

@@ -84,7 +84,7 @@ void SecondView::open()
     const QScreen* const screen = otherScreen(*parentWidget());
     if (screen && screen != parentWidget()->screen())
         move(screen->availableGeometry().center() - rect().center());
-    else if (const auto* console = qobject_cast<const ConsoleWindow*>(parentWidget())) {
+    else if (auto* const console = qobject_cast<ConsoleWindow*>(parentWidget())) {
         setWindowState(windowState() & ~Qt::WindowFullScreen);
         console->putBelowHeader(*this);
     }
@@ -94,7 +94,7 @@ void SecondView::open()
 /// Fills a screen of its own; on the console's screen only the room below the header, which has STOP.
 void SecondView::fillScreen()
 {
-    const auto* console = qobject_cast<const ConsoleWindow*>(parentWidget());
+    auto* const console = qobject_cast<ConsoleWindow*>(parentWidget());
     if (!console || screen() != console->screen()) return showFullScreen();
     resize(console->roomBelowHeader());
     console->putBelowHeader(*this);
