@@ -17,6 +17,7 @@
 #include "app/pages/numbers_page.h"
 #include "app/pages/picture_tools.h"
 #include "app/pages/table_csv.h"
+#include "app/shell/window_picture.h"
 #include "core/store/file_write.h"
 #include "widgets/terrain/readings/numbers_table.h"
 #include "widgets/terrain/readings/verdict_strip.h"
@@ -124,7 +125,7 @@ void MainWindow::takeSnapshot()
         snapshotNote_ = new SnapshotNote(*this);
         connect(snapshotNote_, &SnapshotNote::noted, this, &MainWindow::noteSnapshot);
     }
-    snapshotWriter_->write(files, grab().toImage(), std::move(numbers));
+    snapshotWriter_->write(files, pictureOf(*this).toImage(), std::move(numbers));
     putBelowHeader(*snapshotNote_);
     snapshotNote_->ask(files, tr("snapshot %1 is being written").arg(files.name()));
 }

@@ -13,6 +13,7 @@
 #include "app/pages/terrain_picture.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/key_table.h"
+#include "app/shell/window_picture.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/readings/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -93,7 +94,7 @@ void PictureTools::makeMenu()
 
 void PictureTools::copyPicture() const
 {
-    QApplication::clipboard()->setPixmap(view_.grab());
+    QApplication::clipboard()->setPixmap(pictureOf(view_));
 }
 
 void PictureTools::copyNumbers() const

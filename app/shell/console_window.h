@@ -41,6 +41,8 @@ public:
     void setRoom(QSize room);
     /// Returns true while the font is being fitted, which takes some turns of the event loop.
     bool isFittingFont() const { return !fits_; }
+    /// Ends the fitting at once, if it is under way. Nothing in the window is painted before its end.
+    void finishFitting();
     int bannerLine() const;     ///< [px] height of a banner, shown or not
     int bannersHeight() const;  ///< [px] height that shown banners take from the pages
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
@@ -128,8 +130,8 @@ private:
     /// font, hidden pages, layout.
     void fitLettersInTurns();
     void fitInThisTurn();
-    void finishFitting();  ///< fits the font from trying_ down, at once; trying_ is applied
-    void applyTried();     ///< applies trying_
+    void fitAtOnce();   ///< fits the font from trying_ down; trying_ is applied
+    void applyTried();  ///< applies trying_
     /// Lays out with trying_, which is applied. Returns false if it is too large, and sets trying_ to the next scale.
     bool triedFits();
     void layOutAnew();

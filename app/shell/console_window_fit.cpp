@@ -117,7 +117,7 @@ int ConsoleWindow::bannersHeight() const
 
 QSize ConsoleWindow::roomBelowHeader()
 {
-    if (tryLater_.isActive()) finishFitting();
+    finishFitting();
     // Both windows have the same frame.
     return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame();
 }
@@ -142,10 +142,15 @@ void ConsoleWindow::fitLetters()
 {
     trying_ = largestToTry();
     applyTried();
-    finishFitting();
+    fitAtOnce();
 }
 
 void ConsoleWindow::finishFitting()
+{
+    if (tryLater_.isActive()) fitAtOnce();
+}
+
+void ConsoleWindow::fitAtOnce()
 {
     tryLater_.stop();
     styleHiddenPages();

@@ -5,6 +5,7 @@
 #include "app/console/pages/settings_page.h"
 #include "app/shell/font_fit.h"
 #include "app/shell/view_menu.h"
+#include "app/shell/window_picture.h"
 #include "tests/support/benches/look_bench.h"
 #include "tests/support/gui.h"
 #include "widgets/base/navigation_rail.h"
@@ -91,6 +92,18 @@ TEST_F(Look, windowIsPaintedAfterARepaintWasDueWhileTheFontWasFitted)
     stop.installEventFilter(&paintings);
     stop.update();
     EXPECT_TRUE(eventually([&] { return paintings.count > 0; }));
+}
+
+TEST_F(Look, aPictureIsNotBlankWhileTheFontIsBeingFitted)
+{
+    for (QWidget* const pictured : std::initializer_list<QWidget*>{window.get(), window->rail()}) {
+        const int scale = lookInForce().fontScale;
+        press(Qt::Key_Minus);
+        ASSERT_TRUE(window->isFittingFont());
+        EXPECT_GT(gui::colours(pictureOf(*pictured).toImage()), 20);
+        EXPECT_FALSE(window->isFittingFont());
+        EXPECT_LT(lookInForce().fontScale, scale);
+    }
 }
 
 TEST_F(Look, fontScaleStaysWithinItsLimits)

@@ -225,6 +225,18 @@ TEST_F(Snapshots, savesThePresentAlone)
     EXPECT_EQ(files(".csv").size(), 1) << "the second one was refused";
 }
 
+TEST_F(Snapshots, thePictureIsNotBlankWhileTheFontIsBeingFitted)
+{
+    openRecorded();
+    QTest::keyClick(window.get(), Qt::Key_Minus, Qt::ControlModifier);
+    ASSERT_TRUE(window->isFittingFont());
+    window->takeSnapshot();
+    ASSERT_TRUE(gui::eventually([&] { return says("beside the session"); }));
+    ASSERT_EQ(files(".png").size(), 1);
+    const QString path = QString::fromStdString(directory.file("sessions/")) + files(".png")[0];
+    EXPECT_GT(gui::colours(QImage(path)), 20);
+}
+
 TEST_F(Snapshots, theNoteBlocksNothingAndLetsTheRobotHalt)
 {
     openRecorded();

@@ -137,16 +137,22 @@ bool Screens::reads(const QString& text) const
     return missingIn(gui::readableTexts(window()), {text}).isEmpty();
 }
 
+QImage Screens::paintedWindow() const
+{
+    window().finishFitting();  // a late layout may have begun it again
+    return gui::painted(window());
+}
+
 void Screens::picture(std::string_view name, const QStringList& says)
 {
     poll(name, says);
-    save(gui::painted(window()), name);
+    save(paintedWindow(), name);
 }
 
 void Screens::pictureWith(QWidget& above, std::string_view name, const QStringList& says)
 {
     poll(name, says, &above);
-    QImage image = gui::painted(window());
+    QImage image = paintedWindow();
     if (above.isWindow()) {
         const QImage sheet = gui::painted(above);
         QPainter painter(&image);
@@ -167,7 +173,7 @@ void Screens::pictureOfMenu(QPushButton& button, std::string_view name, const QS
     for (const QString& text : missingIn(lines, says))
         ADD_FAILURE() << name << " does not say: " << text.toStdString();
     EXPECT_EQ(menu.size().expandedTo(menu.sizeHint()), menu.size()) << name << ": lines are cut";
-    QImage image = gui::painted(window());
+    QImage image = paintedWindow();
     // The menu opens below the button, or above it, and never beyond the window.
     QRect place(button.mapTo(&window(), QPoint(0, button.height())), menu.size());
     if (place.bottom() > image.height()) place.moveBottom(place.top() - button.height());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QImage>
 #include <QStringList>
 #include <atomic>
 #include <functional>
@@ -116,6 +117,7 @@ private:
     void close();
     void poll(std::string_view name, const QStringList& says, QWidget* above = nullptr);
     void show(ConsoleWindow& opened);
+    QImage paintedWindow() const;
     void save(const QImage& image, std::string_view name);
     void compareWithEnglish();
 
