@@ -50,9 +50,9 @@ void AlarmList::raise(const std::string& id, const Message& text, Severity sever
     if (!alarm) {
         alarm = &alarms_.emplace_back(
             Alarm{.id = id, .text = text, .severity = severity, .since = now});
-    } else if (isAnew) {
+    } else if (isAnew || isWorse) {
         alarm->since = now;
-        ++alarm->raised;
+        if (isAnew) ++alarm->raised;
     }
     alarm->text = text;
     alarm->severity = severity;

@@ -40,7 +40,7 @@ struct Alarm {
     Message text;    ///< text for the operator, as last raised
     Severity severity = Severity::Caution;
     AlarmState state = AlarmState::Unacknowledged;
-    double since = 0.0;        ///< time at which the cause began [s]
+    double since = 0.0;        ///< time at which the cause began, or last became worse [s]
     double returned = 0.0;     ///< time at which the cause ended [s], for Returned
     std::uint64_t raised = 1;  ///< times it was raised since it was last gone
     bool operator==(const Alarm&) const = default;
@@ -56,7 +56,7 @@ public:
     static constexpr double kSoundGap = 2.0;      ///< [s] alarms within this time sound once
 
     /// Raises an alarm. While the cause persists, only text and severity change. A higher severity,
-    /// or a cause that comes back, must be acknowledged again.
+    /// or a cause that comes back, must be acknowledged again, and its time counts from then.
     void raise(const std::string& id, const Message& text, Severity severity, double now);
 
     /// Ends the cause of an alarm. Does nothing if there is no such alarm.

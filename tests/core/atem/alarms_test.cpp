@@ -156,6 +156,21 @@ TEST(AlarmList, keepsTheNewestTextAndCountsHowOftenItCame)
     EXPECT_EQ(list.alarms()[0].raised, 2U);
 }
 
+TEST(AlarmList, timeCountsFromWhenTheCauseBecameWorse)
+{
+    AlarmList list;
+    const auto raise = [&](Severity severity, double now) {
+        list.raise("attitude", Message::verbatim("steep"), severity, now);
+        return list.alarms()[0].since;
+    };
+    EXPECT_EQ(raise(Severity::Caution, 1.0), 1.0);
+    EXPECT_EQ(raise(Severity::Caution, 2.0), 1.0);
+    EXPECT_EQ(raise(Severity::Critical, 40.0), 40.0);
+    EXPECT_EQ(raise(Severity::Critical, 41.0), 40.0);
+    EXPECT_EQ(raise(Severity::Caution, 50.0), 40.0) << "it did not begin again";
+    EXPECT_EQ(list.alarms()[0].raised, 1U);
+}
+
 TEST(AlarmList, dropsTheLeastUrgentWhenFull)
 {
     AlarmList list;
