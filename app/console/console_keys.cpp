@@ -28,6 +28,18 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
 
 using WhyNot = std::optional<Message> (Exploration::*)() const;
 
+constexpr SourceText kOnTerrainPage =
+    TR_NOOP("terratact::MainWindow", "it is done on the page Terrain (F2)");
+
+/// Explores as the button does, or shows why not.
+void explore(const QPushButton& button, MainWindow& window)
+{
+    Exploration& exploration = window.exploration();
+    if (button.isVisible() && button.isEnabled()) return exploration.request();
+    window.showWhyNot({TR_NOOP("terratact::MainWindow", "not explored: %1"),
+                       exploration.whyNotExploring().value_or(kOnTerrainPage)});
+}
+
 /// Adds a hold-to-run key that moves the robot.
 void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
                  HeldButton* button, MainWindow& window,
@@ -74,10 +86,8 @@ void addObstacleKeys(KeyTable& keys, const VerdictStrip& verdict)
 void holdToMove(HeldButton& button, MainWindow& window, WhyNot whyNot)
 {
     if (button.isEnabled() && button.isVisible()) return button.hold();
-    const auto why = (window.exploration().*whyNot)();
-    window.showWhyNot(
-        {TR_NOOP("terratact::MainWindow", "not driven: %1"),
-         why.value_or(TR_NOOP("terratact::MainWindow", "it is done on the page Terrain (F2)"))});
+    window.showWhyNot({TR_NOOP("terratact::MainWindow", "not driven: %1"),
+                       (window.exploration().*whyNot)().value_or(kOnTerrainPage)});
 }
 
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act, Needs needs)
@@ -116,9 +126,9 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
     Exploration* exploration = &window.exploration();
     AtemPanel* panel = window.atemPanel();
     keys.addGroup(MainWindow::tr("Exploration"));
-    keys.add({{Qt::Key_A},
-              MainWindow::tr("explore the terrain"),
-              ifSeen(panel->requestButton(), [exploration] { exploration->request(); })});
+    keys.add({{Qt::Key_A}, MainWindow::tr("explore the terrain"), [panel, &window] {
+                  explore(*panel->requestButton(), window);
+              }});
     keys.add({{Qt::Key_O},
               MainWindow::tr("explore in spite of a doubt (override)"),
               ifSeen(panel->overrideButton(), [exploration] { exploration->overrideWarnings(); })});
@@ -134,7 +144,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
     keys.add({{Qt::Key_D},
               MainWindow::tr("show some draws as thin lines"),
               ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
-    addSideKeys(keys, *window.terrain());
+    addSideKeys(keys, *window.terrain(), true);
     window.addPictureKeys(keys);
     keys.add({{Qt::Key_Escape},
               MainWindow::tr("abort the exploration; its result stays"),

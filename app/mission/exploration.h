@@ -71,6 +71,8 @@ public:
     /// Requests a probe of this place, whatever the advice. It replaces the current proposal, or starts a new exploration
     /// at this pose that proposes it. Approval is needed as for any other probe.
     void askProbe(ProbePlace place);
+    /// Returns why request() has no effect, or what must be overridden first; empty: it is allowed.
+    std::optional<Message> whyNotExploring() const;
     std::optional<Message>
     whyNotAsking(ProbePlace place) const;  ///< why askProbe() is refused; empty: it is allowed
     void forgetResult();                   ///< clears the estimate unless exploring

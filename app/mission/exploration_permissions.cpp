@@ -69,6 +69,18 @@ bool Exploration::inReach(ProbePlace place) const
         && robot_.armReaches(place.bin, place.side);
 }
 
+std::optional<Message> Exploration::whyNotExploring() const
+{
+    if (following()) return following_->why();
+    if (exploring(state_.phase))
+        return TR_NOOP("terratact::Exploration", "an exploration is running");
+    for (const Precondition& need : preconditions())
+        if (need.level == Precondition::Level::Missing
+            || need.level == Precondition::Level::Doubtful)
+            return need.text;
+    return std::nullopt;
+}
+
 std::optional<Message> Exploration::whyNotAsking(ProbePlace place) const
 {
     if (following()) return following_->why();
@@ -79,13 +91,7 @@ std::optional<Message> Exploration::whyNotAsking(ProbePlace place) const
                        placeWords(place));
     if (state_.phase == AtemPhase::ProposingProbe)
         return probes_.stands() ? std::nullopt : std::optional(Preconditions::stands(false).text);
-    if (exploring(state_.phase))
-        return TR_NOOP("terratact::Exploration", "an exploration is running");
-    for (const Precondition& need : preconditions())
-        if (need.level == Precondition::Level::Missing
-            || need.level == Precondition::Level::Doubtful)
-            return need.text;
-    return std::nullopt;
+    return whyNotExploring();
 }
 
 QList<Precondition> Exploration::toDrive() const

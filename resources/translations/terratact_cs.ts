@@ -2418,6 +2418,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>show both sides, and probe the side in full</source>
         <translation>ukázat obě strany, sondovat tu vykreslenou plně</translation>
     </message>
+    <message>
+        <source>show the left side</source>
+        <translation>ukázat levou stranu</translation>
+    </message>
+    <message>
+        <source>show the right side</source>
+        <translation>ukázat pravou stranu</translation>
+    </message>
+    <message>
+        <source>show both sides</source>
+        <translation>ukázat obě strany</translation>
+    </message>
 </context>
 <context>
     <name>StopDisplay</name>
@@ -8435,6 +8447,10 @@ F1</translation>
     <message>
         <source>colours and letters change once the robot stands still</source>
         <translation>barvy a velikost písma se změní, až robot stojí</translation>
+    </message>
+    <message>
+        <source>not explored: %1</source>
+        <translation>neprozkoumává se: %1</translation>
     </message>
 </context>
 <context>

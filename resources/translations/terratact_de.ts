@@ -2418,6 +2418,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>show both sides, and probe the side in full</source>
         <translation>beide Seiten zeigen, die ganz gezeichnete sondieren</translation>
     </message>
+    <message>
+        <source>show the left side</source>
+        <translation>die linke Seite zeigen</translation>
+    </message>
+    <message>
+        <source>show the right side</source>
+        <translation>die rechte Seite zeigen</translation>
+    </message>
+    <message>
+        <source>show both sides</source>
+        <translation>beide Seiten zeigen</translation>
+    </message>
 </context>
 <context>
     <name>StopDisplay</name>
@@ -8434,6 +8446,10 @@ F1</translation>
     <message>
         <source>colours and letters change once the robot stands still</source>
         <translation>Farben und Schriftgröße ändern sich, sobald der Roboter steht</translation>
+    </message>
+    <message>
+        <source>not explored: %1</source>
+        <translation>keine Erkundung: %1</translation>
     </message>
 </context>
 <context>
