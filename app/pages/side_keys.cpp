@@ -19,23 +19,24 @@ struct SideChoice {
     ShownSides sides;
     Qt::Key key;  ///< with Alt
     const char* meaning;
+    const char* withProbes;
 };
 
 constexpr std::array kSideChoices{
-    SideChoice{ShownSides::Left, Qt::Key_L,
+    SideChoice{ShownSides::Left, Qt::Key_L, QT_TRANSLATE_NOOP("SideKeys", "show the left side"),
                QT_TRANSLATE_NOOP("SideKeys", "show the left side, and probe there")},
-    SideChoice{ShownSides::Right, Qt::Key_R,
+    SideChoice{ShownSides::Right, Qt::Key_R, QT_TRANSLATE_NOOP("SideKeys", "show the right side"),
                QT_TRANSLATE_NOOP("SideKeys", "show the right side, and probe there")},
-    SideChoice{ShownSides::Both, Qt::Key_B,
+    SideChoice{ShownSides::Both, Qt::Key_B, QT_TRANSLATE_NOOP("SideKeys", "show both sides"),
                QT_TRANSLATE_NOOP("SideKeys", "show both sides, and probe the side in full")}};
 
 }  // namespace
 
-void addSideKeys(KeyTable& keys, TerrainProfileView& view)
+void addSideKeys(KeyTable& keys, TerrainProfileView& view, bool probes)
 {
     for (const SideChoice& choice : kSideChoices)
         keys.add({.keys = {QKeyCombination(Qt::ALT, choice.key)},
-                  .meaning = SideKeyWords::tr(choice.meaning),
+                  .meaning = SideKeyWords::tr(probes ? choice.withProbes : choice.meaning),
                   .pressed = [&view, sides = choice.sides] { view.setShownSides(sides); },
                   .applies = [&view] { return view.isVisible(); }});
 }
@@ -46,7 +47,7 @@ void addSideChoice(QMenu& menu, TerrainProfileView& view)
     for (const SideChoice& choice : kSideChoices) {
         const QKeySequence key(QKeyCombination(Qt::ALT, choice.key));
         QAction* action = menu.addAction(QStringLiteral("%1 (%2)").arg(
-            SideKeyWords::tr(choice.meaning), key.toString(QKeySequence::NativeText)));
+            SideKeyWords::tr(choice.withProbes), key.toString(QKeySequence::NativeText)));
         action->setCheckable(true);
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &view,

@@ -358,7 +358,7 @@ void ReviewWindow::defineKeys()
     keys.add({{Qt::Key_D}, tr("show some draws as thin lines"), [this] {
                   terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
               }});
-    addSideKeys(keys, *terrain_->terrain());
+    addSideKeys(keys, *terrain_->terrain(), false);
     terrain_->pictureTools()->addKeys(keys);
     addViewKeys(keys, *preferences_);
     addFullScreenKey();

@@ -265,7 +265,7 @@ void ScenesWindow::defineKeys()
     step({Qt::Key_Comma, Qt::Key_PageUp}, tr("previous scene"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
-    addSideKeys(keys, *page_->terrain());
+    addSideKeys(keys, *page_->terrain(), false);
     addHelpKeys();
     addRemoteStop();
 }

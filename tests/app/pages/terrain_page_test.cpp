@@ -282,7 +282,7 @@ TEST(SideKeys, chooseTheSidesOfThePicture)
 {
     KeyTable keys;
     TerrainProfileView view;
-    addSideKeys(keys, view);
+    addSideKeys(keys, view, false);
     gui::showActive(view);
     const auto press = [&](Qt::Key key) {
         const QKeyEvent event(QEvent::KeyPress, key, Qt::AltModifier);
@@ -298,6 +298,18 @@ TEST(SideKeys, chooseTheSidesOfThePicture)
     EXPECT_EQ(view.shownSides(), ShownSides::Both);
     EXPECT_FALSE(keys.entryOf(QKeyEvent(QEvent::KeyPress, Qt::Key_R, Qt::NoModifier)))
         << "R alone releases STOP";
+}
+
+TEST(SideKeys, sayThatOneProbesThereOnlyWhereOneCan)
+{
+    TerrainProfileView view;
+    const QKeyEvent left(QEvent::KeyPress, Qt::Key_L, Qt::AltModifier);
+    KeyTable review, console;
+    addSideKeys(review, view, false);
+    addSideKeys(console, view, true);
+    EXPECT_EQ(review.entryOf(left)->meaning, QStringLiteral("show the left side"));
+    EXPECT_EQ(console.entryOf(left)->meaning,
+              QStringLiteral("show the left side, and probe there"));
 }
 
 }  // namespace
