@@ -128,8 +128,8 @@ QWidget* ReviewExportDialog::form()
     format_ = combo(tr("Format"), tr("Which programs can read it"));
     addField(*rows, tr("Of"), span());
     payload_ = new QCheckBox(form);
-    payload_->setChecked(true);
     payload_->setMinimumHeight(scaled(kTarget));
+    connect(payload_, &QCheckBox::clicked, this, [this](bool wanted) { payloadWanted_ = wanted; });
     addField(*rows, tr("Other devices"), payload_);
     addField(*rows, tr("File"), file());
     connect(what_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::offerFormats);
@@ -284,6 +284,7 @@ void ReviewExportDialog::showPayload()
     payload_->setText(names.isEmpty()
                           ? tr("no DBC file describes them")
                           : QString(seen).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    payload_->setChecked(!names.isEmpty() && holds && payloadWanted_);
     payload_->setEnabled(!names.isEmpty() && !job_ && holds);
     setTip(*payload_, names.isEmpty() ? tr("The page Signals (F7) adds DBC files")
                       : holds         ? plainTip(names.join(QLatin1Char('\n')))

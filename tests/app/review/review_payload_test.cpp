@@ -107,11 +107,18 @@ TEST_F(PayloadOf, signalsAreExportedWithThoseOfDbcFiles)
     }
     EXPECT_NE(written("payload.csv").find("GasSensor.Oxygen [%]"), std::string::npos);
     choose("Signals", ".csv", "without.csv");
-    window->exportDialog()->withPayload()->setChecked(false);
+    window->exportDialog()->withPayload()->click();
     write();
     EXPECT_EQ(written("without.csv").find("GasSensor"), std::string::npos);
     choose("CAN frames", ".csv", "frames.csv");
     EXPECT_FALSE(window->exportDialog()->withPayload()->isEnabled()) << "frames hold no signals";
+    choose("Signals", ".csv", "again.csv");
+    EXPECT_FALSE(window->exportDialog()->withPayload()->isChecked()) << "the choice is kept";
+    window->exportDialog()->withPayload()->click();
+    choose("CAN frames", ".csv", "frames.csv");
+    EXPECT_FALSE(window->exportDialog()->withPayload()->isChecked()) << "it holds none";
+    choose("Signals", ".csv", "again.csv");
+    EXPECT_TRUE(window->exportDialog()->withPayload()->isChecked());
 }
 
 TEST_F(PayloadOf, aDbcFileThatIsGoneStopsTheExport)
