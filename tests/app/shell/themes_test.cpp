@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/shell/preferences/preferences.h"
+#include "tests/support/colour_contrast.h"
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -16,28 +17,7 @@
 namespace terratact {
 namespace {
 
-using Rgb = std::array<double, 3>;  // linear RGB
-
 constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast};
-
-Rgb linear(const QColor& colour)
-{
-    const auto one = [](double c) {
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
-}
-
-/// Returns the contrast ratio of WCAG 2.1, from relative luminance.
-double contrast(const QColor& a, const QColor& b)
-{
-    const auto luminance = [](const QColor& colour) {
-        const Rgb c = linear(colour);
-        return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-    };
-    const double x = luminance(a), y = luminance(b);
-    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
-}
 
 struct Colours {
     const char* name;
@@ -81,7 +61,7 @@ TEST(Themes, everyTextCanBeRead)
     for (const ThemeName name : kThemes) {
         const double least = name == ThemeName::HighContrast ? 7.0 : 4.5;
         for (const Colours& pair : textPairs(themeOf(name)))
-            EXPECT_GE(contrast(pair.text, pair.behind), least)
+            EXPECT_GE(gui::contrast(pair.text, pair.behind), least)
                 << terratact::name(name) << ": " << pair.name;
     }
 }
@@ -91,13 +71,13 @@ TEST(Themes, marksStandOutFromTheirGround)
     for (const ThemeName name : kThemes) {
         const Theme t = themeOf(name);
         for (const QColor& mark : {t.sampled, t.contact, t.arm, t.prior})
-            EXPECT_GE(contrast(mark, t.card), 2.4) << terratact::name(name);
-        EXPECT_GE(contrast(t.stop.area, t.header), 2.2) << terratact::name(name);
+            EXPECT_GE(gui::contrast(mark, t.card), 2.4) << terratact::name(name);
+        EXPECT_GE(gui::contrast(t.stop.area, t.header), 2.2) << terratact::name(name);
     }
 }
 
 /// Converts to CIELAB, D65.
-Rgb lab(const Rgb& c)
+gui::Rgb lab(const gui::Rgb& c)
 {
     const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
     const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505);
@@ -123,10 +103,10 @@ double leastDifference(const std::array<QColor, 4>& colours)
 {
     double least = 1e9;
     for (const auto& matrix : kDeficiencies) {
-        std::array<Rgb, 4> seen{};
+        std::array<gui::Rgb, 4> seen{};
         for (std::size_t i = 0; i < 4; ++i) {
-            const Rgb c = linear(colours[i]);
-            Rgb s{};
+            const gui::Rgb c = gui::linear(colours[i]);
+            gui::Rgb s{};
             for (std::size_t row = 0; row < 3; ++row)
                 s[row] = std::clamp(matrix[row][0] * c[0] + matrix[row][1] * c[1]
                                         + matrix[row][2] * c[2],
