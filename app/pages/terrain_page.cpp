@@ -182,6 +182,7 @@ Card* TerrainPage::eventCard()
 void TerrainPage::addTerrainTool(QWidget* tool)
 {
     terrainCard_->titleRow()->addWidget(tool);
+    setTabOrder(view_, tool);
 }
 
 void TerrainPage::arrange(Layout layout, int fontScale)

@@ -138,23 +138,23 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     bus_->setFocusPolicy(Qt::TabFocus);
     bus_->hide();
     connect(bus_, &QPushButton::clicked, this, &StatusHeader::busRequested);
+    arming_ = new ArmingControl(this);
     alarms_ = new QPushButton(this);
     alarms_->setProperty("role", "quiet");
     alarms_->setFocusPolicy(Qt::TabFocus);
     setTip(*alarms_, tr("Active alarms, and past alarms not yet acknowledged (F4)"));
     connect(alarms_, &QPushButton::clicked, this, &StatusHeader::alarmsRequested);
     setAlarms(0, 0);
+    stop_ = new QPushButton(this);
+    stop_->setFocusPolicy(Qt::TabFocus);
+    stop_->setAccessibleName(tr("STOP"));
+    setStop({});
     quality_ = new QPushButton(this);
     quality_->setProperty("role", "quiet");
     quality_->setFocusPolicy(Qt::TabFocus);
     quality_->setAccessibleName(tr("Quality of the estimate"));
     setTip(*quality_, tr("Accuracy of an estimate against its computing time"));
     quality_->setVisible(false);
-    arming_ = new ArmingControl(this);
-    stop_ = new QPushButton(this);
-    stop_->setFocusPolicy(Qt::TabFocus);
-    stop_->setAccessibleName(tr("STOP"));
-    setStop({});
 
     auto* whole = new QHBoxLayout(this);
     whole->setContentsMargins(12, 5, 10, 5);

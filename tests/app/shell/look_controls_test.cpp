@@ -16,6 +16,7 @@
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/atem_panel.h"
+#include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/readings/verdict_strip.h"
 
@@ -139,6 +140,17 @@ TEST_F(Look, TabReachesEverythingAndComesBack)
                 << control->accessibleName().toStdString();
         }
     });
+}
+
+TEST_F(Look, TabFollowsTheOrderOnTheScreen)
+{
+    window->setFocus();
+    for (QPushButton* control : {window->header()->alarmsButton(), window->header()->stopButton(),
+                                 window->verdict()->lowerButton(), window->verdict()->raiseButton(),
+                                 window->viewButton(), window->header()->qualityButton()}) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        EXPECT_EQ(QApplication::focusWidget(), control) << control->accessibleName().toStdString();
+    }
 }
 
 /// Returns the number of pixels that differ between two pictures by a contrast of 3 : 1 (WCAG 2.2, 2.4.13).
