@@ -23,7 +23,7 @@ Message stepText(const Verdict& verdict, double limit)
 {
     if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
         return stepText(verdict.step, limit);
-    const StepProbability& step = verdict.toHorizon;
+    const StepProbability& step = answeredBy(verdict);
     return {TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m to %2 m) = %3 % ± %4"),
             fixed(limit, 2), signedFixed(verdict.horizon, 2), fixed(100.0 * step.p, 1),
             randomErrorText(100.0 * step.monteCarloSd, 1)};
@@ -40,6 +40,16 @@ void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
         parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "not felt: %1"),
                            Message::listed(std::move(bins), ", "));
     for (const WithholdReason reason : verdict.withheldFor) parts.emplace_back(describe(reason));
+}
+
+/// Returns the probability that the robot's answer rests on.
+Message eitherText(const TwoTrackVerdict& verdict, double limit)
+{
+    const StepProbability& step = answeredBy(verdict);
+    if (verdict.both != StepVerdict::Clear) return stepText(step, limit);
+    return {
+        TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m up to each horizon) = %2 % ± %3"),
+        fixed(limit, 2), fixed(100.0 * step.p, 1), randomErrorText(100.0 * step.monteCarloSd, 1)};
 }
 
 Message sideText(SourceText side, const Verdict& verdict, double limit)
@@ -59,7 +69,7 @@ void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, dou
     }
     parts.emplace_back(describe(verdict.both));
     parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
-                       stepText(verdict.either, limit));
+                       eitherText(verdict, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "left: %1"), left, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "right: %1"), right, limit));
 }

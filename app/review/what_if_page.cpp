@@ -362,14 +362,14 @@ QString WhatIfPage::verdictWords(const Differences& found) const
     };
     QString text = tr("Steps of more than %1: %2 then, %3 now.")
                        .arg(format::length(recorded_->stepLimit, 2),
-                            answer(found.before.both, found.before.either.p),
-                            answer(found.after.both, found.after.either.p));
+                            answer(found.before.both, answeredBy(found.before).p),
+                            answer(found.after.both, answeredBy(found.after).p));
     if (found.onePlane) return text;
     const auto side = [&](const QString& words, std::size_t k) {
         const Verdict &then = found.before.side.at(k), &now = found.after.side.at(k);
-        text +=
-            QLatin1Char('\n')
-            + words.arg(answer(then.stepVerdict, then.step.p), answer(now.stepVerdict, now.step.p));
+        text += QLatin1Char('\n')
+              + words.arg(answer(then.stepVerdict, answeredBy(then).p),
+                          answer(now.stepVerdict, answeredBy(now).p));
     };
     side(tr("Left: %1 then, %2 now."), 0);
     side(tr("Right: %1 then, %2 now."), 1);

@@ -2049,6 +2049,14 @@ značka K</translation>
         <source>%1 (%2) to %3: %4</source>
         <translation>%1 (%2) až %3: %4</translation>
     </message>
+    <message>
+        <source>%1: a step of more than %2 m up to there has probability %3 %</source>
+        <translation>%1: schod vyšší než %2 m až tam má pravděpodobnost %3 %</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 m up to each horizon has probability %2 %</source>
+        <translation>schod vyšší než %1 m až k horizontu každé strany má pravděpodobnost %2 %</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>
@@ -10579,6 +10587,10 @@ F1</translation>
     <message>
         <source>probing %1</source>
         <translation>sonduje %1</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m up to each horizon) = %2 % ± %3</source>
+        <translation>P(schod &gt; %1 m až k horizontu každé strany) = %2 % ± %3</translation>
     </message>
 </context>
 <context>

@@ -2049,6 +2049,14 @@ Marke K</translation>
         <source>%1 (%2) to %3: %4</source>
         <translation>%1 (%2) bis %3: %4</translation>
     </message>
+    <message>
+        <source>%1: a step of more than %2 m up to there has probability %3 %</source>
+        <translation>%1: eine Stufe über %2 m bis dorthin hat die Wahrscheinlichkeit %3 %</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 m up to each horizon has probability %2 %</source>
+        <translation>eine Stufe über %1 m bis zum jeweiligen Horizont hat die Wahrscheinlichkeit %2 %</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>
@@ -10578,6 +10586,10 @@ F1</translation>
     <message>
         <source>probing %1</source>
         <translation>Arm sondiert %1</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m up to each horizon) = %2 % ± %3</source>
+        <translation>P(Stufe &gt; %1 m bis zum jeweiligen Horizont) = %2 % ± %3</translation>
     </message>
 </context>
 <context>

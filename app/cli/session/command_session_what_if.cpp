@@ -23,10 +23,10 @@ std::string words(const TwoTrackVerdict& verdict)
 {
     if (verdict.onePlane)
         return fmt::format("{} (step ahead {:.0f} %)", describe(verdict),
-                           100.0 * verdict.side[0].step.p);
+                           100.0 * answeredBy(verdict.side[0]).p);
     return fmt::format("{} (step ahead left {:.0f} %, right {:.0f} %, either side {:.0f} %)",
-                       describe(verdict), 100.0 * verdict.side[0].step.p,
-                       100.0 * verdict.side[1].step.p, 100.0 * verdict.either.p);
+                       describe(verdict), 100.0 * answeredBy(verdict.side[0]).p,
+                       100.0 * answeredBy(verdict.side[1]).p, 100.0 * answeredBy(verdict).p);
 }
 
 /// Prints what was recomputed.

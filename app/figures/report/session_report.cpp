@@ -75,8 +75,11 @@ Facts verdictFacts(const TwoTrackVerdict& v, double limit, const Wording& say)
     return {{say(TR_NOOP("Report", "left")), say(stepText(v.side[0], limit))},
             {say(TR_NOOP("Report", "right")), say(stepText(v.side[1], limit))},
             {say(TR_NOOP("Report", "either side")),
-             say({TR_NOOP("Report", "a step ahead of more than %1 m has probability %2 %"),
-                  fixed(limit, 2), fixed(100.0 * v.either.p, 0)})},
+             say({v.both == StepVerdict::Clear
+                      ? TR_NOOP("Report",
+                                "a step of more than %1 m up to each horizon has probability %2 %")
+                      : TR_NOOP("Report", "a step ahead of more than %1 m has probability %2 %"),
+                  fixed(limit, 2), fixed(100.0 * answeredBy(v).p, 0)})},
             {say(TR_NOOP("Report", "cross slope")), say(crossSlopeText(v.crossSlope))}};
 }
 

@@ -151,9 +151,15 @@ TwoTrackVerdict equalSides(const Verdict& plane)
     TwoTrackVerdict verdict;
     verdict.side = {plane, plane};
     verdict.either = plane.step;
+    if (plane.stepVerdict == StepVerdict::Clear) verdict.eitherToHorizons = plane.toHorizon;
     verdict.both = plane.stepVerdict;
     verdict.onePlane = true;
     return verdict;
+}
+
+const StepProbability& answeredBy(const TwoTrackVerdict& verdict)
+{
+    return verdict.both == StepVerdict::Clear ? verdict.eitherToHorizons : verdict.either;
 }
 
 bool isWithheld(const TwoTrackVerdict& verdict)
@@ -173,8 +179,9 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     const BothBins horizons{lastBinOf(verdict.side[0]), lastBinOf(verdict.side[1])};
     const StepVerdict sides = answerOfSides(verdict);
     if (isWithheld(verdict)) return verdict;
-    if (sides == StepVerdict::Clear
-        && isBelow(eitherStep(estimate, limit, kFirstAhead, horizons), kClearBelow)
+    if (sides == StepVerdict::Clear)
+        verdict.eitherToHorizons = eitherStep(estimate, limit, kFirstAhead, horizons);
+    if (sides == StepVerdict::Clear && isBelow(verdict.eitherToHorizons, kClearBelow)
         && isBelow(crossSlopeAhead(estimate, robot, s, std::min(horizons[0], horizons[1])).beyond,
                    kClearBelow))
         verdict.both = StepVerdict::Clear;

@@ -38,6 +38,8 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
 struct TwoTrackVerdict {
     std::array<Verdict, 2> side;  ///< left, right, each from its own draws
     StepProbability either;       ///< probability of a step ahead on either side
+    /// The same up to the horizon of each side. {1, 0} unless both sides are Clear.
+    StepProbability eitherToHorizons;
     CrossSlope crossSlope;        ///< of all bins ahead
     /// Answer for the robot. Blocked if a side or the cross slope is blocked, or if a step on either
     /// side has Blocked's probability. Clear if both sides are clear, and the joint probability up
@@ -51,6 +53,10 @@ struct TwoTrackVerdict {
 
 /// Returns the verdict of one plane for both sides, without a cross slope.
 TwoTrackVerdict equalSides(const Verdict& plane);
+
+/// Returns the probability of a step on either side that the robot's answer rests on: up to the
+/// horizons for Clear, else of all bins ahead.
+const StepProbability& answeredBy(const TwoTrackVerdict& verdict);
 
 /// Returns true if a side's verdict is withheld.
 bool isWithheld(const TwoTrackVerdict& verdict);

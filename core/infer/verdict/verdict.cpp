@@ -152,6 +152,11 @@ SourceText describe(Help help)
     throw std::invalid_argument("describe: no such Help");
 }
 
+const StepProbability& answeredBy(const Verdict& verdict)
+{
+    return verdict.stepVerdict == StepVerdict::Clear ? verdict.toHorizon : verdict.step;
+}
+
 Message stepVerdictMessage(const Verdict& verdict)
 {
     const SourceText answer = describe(verdict.stepVerdict);

@@ -83,6 +83,10 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
+/// Returns the probability of a step that the answer rests on: up to the horizon for Clear, else of
+/// all bins ahead.
+const StepProbability& answeredBy(const Verdict& verdict);
+
 /// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.
 Message unfeltMessage(const Verdict& verdict);
 

@@ -272,15 +272,14 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
 
 QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
+    const StepProbability& step = answeredBy(verdict);
+    const bool isExtreme = format::isExtremeProbability(step.p);
+    const QString shown = format::probability(step.p, step.monteCarloSd);
     if (verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded)
-        return (format::isExtremeProbability(verdict.toHorizon.p) ? tr("P(step > %1 to %2): %3")
-                                                                  : tr("P(step > %1 to %2) = %3"))
-            .arg(format::length(limit, 2), format::signedLength(verdict.horizon, 2),
-                 format::probability(verdict.toHorizon.p, verdict.toHorizon.monteCarloSd));
-    return (format::isExtremeProbability(verdict.step.p) ? tr("P(step > %1 ahead): %2")
-                                                         : tr("P(step > %1 ahead) = %2"))
-        .arg(format::length(limit, 2),
-             format::probability(verdict.step.p, verdict.step.monteCarloSd));
+        return (isExtreme ? tr("P(step > %1 to %2): %3") : tr("P(step > %1 to %2) = %3"))
+            .arg(format::length(limit, 2), format::signedLength(verdict.horizon, 2), shown);
+    return (isExtreme ? tr("P(step > %1 ahead): %2") : tr("P(step > %1 ahead) = %2"))
+        .arg(format::length(limit, 2), shown);
 }
 
 QString VerdictStrip::whyOf(const Verdict& verdict)

@@ -69,6 +69,7 @@ TEST(TwoTrackVerdict, namesTheSideThatIsBlocked)
     EXPECT_EQ(describe(verdict).find("left BLOCKED at +0.6 m · right CLEAR to +0.75 m"), 0U)
         << describe(verdict);
     EXPECT_EQ(describe(verdictFor(estimateWith(kNever, kNever))), "both CLEAR to +0.75 m");
+    EXPECT_DOUBLE_EQ(answeredBy(verdict).p, 1.0);
 }
 
 TEST(TwoTrackVerdict, isClearOnlyIfBothSidesAreJointly)
@@ -103,6 +104,9 @@ TEST(TwoTrackVerdict, unfeltGroundBehindTheHorizonDoesNotWithhold)
     EXPECT_GT(verdict.crossSlope.beyond.p, kClearBelow);
     EXPECT_EQ(verdict.both, StepVerdict::Clear);
     EXPECT_EQ(describe(verdict), "both CLEAR to +0.55 m");
+    EXPECT_DOUBLE_EQ(verdict.either.p, 0.1) << "the drop beyond the horizon";
+    EXPECT_DOUBLE_EQ(answeredBy(verdict).p, 0.0);
+    EXPECT_DOUBLE_EQ(answeredBy(verdict.side[0]).p, 0.0);
 }
 
 TEST(TwoTrackVerdict, rollIsNoReasonToWithhold)
