@@ -13,6 +13,9 @@
 
 namespace terratact {
 
+/// [s] patience of a recorder with a disk that other programs keep busy.
+inline constexpr double kBusyDisk = 600.0;
+
 /// A directory of one test; the destructor removes it.
 class TemporaryDirectory {
 public:

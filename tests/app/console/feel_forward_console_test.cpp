@@ -123,8 +123,8 @@ TEST_F(FeelForwardConsole, theButtonMustBeHeld)
 TEST_F(FeelForwardConsole, theReviewShowsTheLoop)
 {
     const TemporaryDirectory folder;
-    recording = std::make_shared<SessionRecorder>(
-        SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
+    recording = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+        .folder = folder.file("sessions"), .start = someStart(), .patience = kBusyDisk});
     openClear();
     ASSERT_TRUE(inSomeGo([&] { return feelsFor(0.15); }));
     QTest::keyRelease(window.get(), Qt::Key_F);

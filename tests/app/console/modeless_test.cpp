@@ -53,8 +53,8 @@ struct Modeless : testing::Test, RobotOnBench {
     {
         applyLook(*qApp);
         startRobot();
-        recorder = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+            .folder = directory.file("sessions"), .start = {}, .patience = kBusyDisk});
         MainWindow::Options options =
             linked({.mode = CanSource::Mode::Transmit,
                     .received = [to = recorder](auto frames) { to->add(frames); }});

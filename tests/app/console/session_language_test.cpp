@@ -92,8 +92,8 @@ TEST_F(BusConsole, aWholeSessionIsReadInTheReadersLanguage)
     SessionStart start = someStart();
     start.robot = *readFile(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml", 65536);
     start.robotHash = sha256Hex(start.robot);
-    recording = std::make_shared<SessionRecorder>(
-        SessionRecorder::Options{.folder = directory.file("sessions"), .start = start});
+    recording = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+        .folder = directory.file("sessions"), .start = start, .patience = kBusyDisk});
     openOn();
     ASSERT_TRUE(inSomeGo([&] { return drives(); }));
     QTest::keyRelease(window.get(), Qt::Key_W);

@@ -76,6 +76,7 @@ struct Windows : testing::Test {
         options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         SessionRecorder::Options recording;
         recording.folder = directory.file("sessions");
+        recording.patience = kBusyDisk;
         options.recorder = std::make_shared<SessionRecorder>(std::move(recording));
         auto window = std::make_unique<MainWindow>(std::move(options));
         QObject::connect(&window->exploration(), &Exploration::decided, window.get(),

@@ -70,8 +70,8 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions");
     {
-        const auto recorder = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = folder, .start = someStart()});
+        const auto recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+            .folder = folder, .start = someStart(), .patience = kBusyDisk});
         const SessionEventLogger eventLogger(recorder, *exploration, *worker);
         emit worker->modelLoaded("fake.ttm", {}, {}, {}, false,
                                  {});  // no recorder was connected earlier

@@ -218,7 +218,7 @@ SessionReader recorded(SimulatedExploration& bench, const std::string& folder)
     start.robot = *readFile(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml", 1U << 16U);
     {
         const auto recorder = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = folder, .start = start});
+            SessionRecorder::Options{.folder = folder, .start = start, .patience = kBusyDisk});
         SessionEventLogger logger(recorder, bench.exploration, bench.worker, nullptr);
         bench.begin();
         EXPECT_TRUE(bench.explore()) << bench.eventText();

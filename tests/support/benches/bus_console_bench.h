@@ -126,8 +126,8 @@ struct BusConsole : testing::Test, RobotOnBench {
     /// Opens the console and records the session below `folder`.
     void openRecordedOn(const TemporaryDirectory& folder)
     {
-        recording = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = folder.file("sessions"), .start = someStart()});
+        recording = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+            .folder = folder.file("sessions"), .start = someStart(), .patience = kBusyDisk});
         openOn();
     }
     void startQuickRobot(RobotFault fault = RobotFault::None)

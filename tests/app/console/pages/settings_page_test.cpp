@@ -74,8 +74,8 @@ struct SettingsInForce : testing::Test {
                             .details = {},
                             .content = "measured"});
         };
-        options.recorder = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        options.recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+            .folder = directory.file("sessions"), .start = {}, .patience = kBusyDisk});
         options.presets = {
             "measured",
             {{Method::Local, QualityPreset::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},

@@ -138,8 +138,8 @@ struct Snapshots : Console {
         options.robot = robot;
         options.source = fastRobot(robot, 2.0);
         options.model = [] { return Result<LoadedModel>(madeUp()); };
-        options.recorder = std::make_shared<SessionRecorder>(
-            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        options.recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+            .folder = directory.file("sessions"), .start = {}, .patience = kBusyDisk});
         recorder = options.recorder.get();
         window = std::make_unique<MainWindow>(std::move(options));
         window->resize(1280, 720);

@@ -280,7 +280,8 @@ void Screens::open(const Setting& setting)
     robot->stage(setting.staging);
     const auto recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
         .folder = setting.sessions.empty() ? sessions_->file("sessions") : setting.sessions,
-        .start = someStart()});
+        .start = someStart(),
+        .patience = kBusyDisk});
     const bool transmits = setting.mode == CanSource::Mode::Transmit;
     auto source = std::make_unique<CanSource>(
         bus.join(setting.busName), model,
