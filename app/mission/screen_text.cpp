@@ -21,8 +21,7 @@ Message stepText(const StepProbability& step, double limit)
 /// Returns the probability that the answer of one plane or side rests on.
 Message stepText(const Verdict& verdict, double limit)
 {
-    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
-        return stepText(verdict.step, limit);
+    if (!isClearToHorizon(verdict)) return stepText(verdict.step, limit);
     const StepProbability& step = answeredBy(verdict);
     return {TR_NOOP("terratact::SessionEventLogger", "P(step > %1 m to %2 m) = %3 % ± %4"),
             fixed(limit, 2), signedFixed(verdict.horizon, 2), fixed(100.0 * step.p, 1),

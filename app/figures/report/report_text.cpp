@@ -69,9 +69,8 @@ Message readingsText(const EstimateRow& row)
 
 Message stepText(const Verdict& v, double limit)
 {
-    const bool toHorizon = v.stepVerdict == StepVerdict::Clear && v.touchRecorded;
     std::vector<Message> parts{
-        {toHorizon
+        {isClearToHorizon(v)
              ? TR_NOOP("Report", "%1: a step of more than %2 m up to there has probability %3 %")
              : TR_NOOP("Report", "%1: a step ahead of more than %2 m has probability %3 %"),
          stepVerdictMessage(v), fixed(limit, 2), fixed(100.0 * answeredBy(v).p, 0)}};

@@ -152,15 +152,20 @@ SourceText describe(Help help)
     throw std::invalid_argument("describe: no such Help");
 }
 
+bool isClearToHorizon(const Verdict& verdict)
+{
+    return verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded;
+}
+
 const StepProbability& answeredBy(const Verdict& verdict)
 {
-    return verdict.stepVerdict == StepVerdict::Clear ? verdict.toHorizon : verdict.step;
+    return isClearToHorizon(verdict) ? verdict.toHorizon : verdict.step;
 }
 
 Message stepVerdictMessage(const Verdict& verdict)
 {
     const SourceText answer = describe(verdict.stepVerdict);
-    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded) return answer;
+    if (!isClearToHorizon(verdict)) return answer;
     const std::string to = signedFixed(verdict.horizon, 2);
     if (verdict.shortfall == Shortfall::Spanned)
         return {TR_NOOP("core", "%1 to %2 m, felt to %3 m"), answer, to,

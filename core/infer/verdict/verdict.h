@@ -83,8 +83,11 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
-/// Returns the probability of a step that the answer rests on: up to the horizon for Clear, else of
-/// all bins ahead.
+/// Returns true for Clear up to a horizon, which needs a recorded touch.
+bool isClearToHorizon(const Verdict& verdict);
+
+/// Returns the probability of a step that the answer rests on: up to that horizon, else of all bins
+/// ahead.
 const StepProbability& answeredBy(const Verdict& verdict);
 
 /// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.

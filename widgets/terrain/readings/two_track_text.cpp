@@ -43,8 +43,8 @@ QString shortAnswerOfSide(const Verdict& verdict)
     QString answer = VerdictStrip::answerOf(plain) + QLatin1Char(' ');
     if (verdict.stepVerdict == StepVerdict::Blocked)
         return answer + format::lengthNumber(binCentre(verdict.likeliest + 1), 1);
-    const bool reaches = verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded;
-    return reaches ? answer + format::lengthNumber(verdict.horizon, 2) : answer.trimmed();
+    return isClearToHorizon(verdict) ? answer + format::lengthNumber(verdict.horizon, 2)
+                                     : answer.trimmed();
 }
 
 /// Returns the texts of both sides, each with its letter; equal texts once. Sides without a text are left out.

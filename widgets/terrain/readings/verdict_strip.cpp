@@ -140,8 +140,7 @@ QString shortfallText(const Verdict& verdict)
 /// Returns the badge's text; the horizon has its own line, so that the badge keeps its width.
 QString badgeOf(const Verdict& verdict)
 {
-    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
-        return VerdictStrip::answerOf(verdict);
+    if (!isClearToHorizon(verdict)) return VerdictStrip::answerOf(verdict);
     return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
          + VerdictStrip::tr("to %1").arg(format::signedLength(verdict.horizon, 2));
 }
@@ -275,7 +274,7 @@ QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
     const StepProbability& step = answeredBy(verdict);
     const bool isExtreme = format::isExtremeProbability(step.p);
     const QString shown = format::probability(step.p, step.monteCarloSd);
-    if (verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded)
+    if (isClearToHorizon(verdict))
         return (isExtreme ? tr("P(step > %1 to %2): %3") : tr("P(step > %1 to %2) = %3"))
             .arg(format::length(limit, 2), format::signedLength(verdict.horizon, 2), shown);
     return (isExtreme ? tr("P(step > %1 ahead): %2") : tr("P(step > %1 ahead) = %2"))
