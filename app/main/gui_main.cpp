@@ -9,11 +9,14 @@
 #include "app/imports/open_truth.h"
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
+#include "app/runtime/file_guard.h"
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
+#include "app/runtime/standard_streams.h"
 #include "app/shell/open_file.h"
 #include "app/start/console_setup.h"
 #include "core/base/memory_limit.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
@@ -37,8 +40,11 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
     if (kind == FileKind::Truth) return openTruth(application, options);
     if (kind == FileKind::Recording && !options.isPicture())
         return openImport(application, options);
-    if (options.isPicture())
+    if (options.isPicture()) {
+        const auto content = readFile(options.replay, 1);
+        if (!content && content.error().code != 0) return content.error();
         return Error{options.replay + ": is no session, of which a picture could be saved"};
+    }
     return openConsole(application, options);
 }
 
@@ -62,6 +68,7 @@ int run(int& argc, char** argv)
         if (const std::string missing = memoryMissing("the window", kWindowMemory);
             !missing.empty())
             return failed(missing);
+    if (const Status s = checkCommandFiles(filesOf(options)); !s) return failed(s.error().text);
     Application application(argc, argv);
     const auto ended = openWindow(application, options);
     return ended ? *ended : refused(application, options, ended.error());
@@ -72,6 +79,7 @@ int run(int& argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    terratact::holdStandardStreams();
     terratact::giveBackBigBlocks();
     openblas_set_num_threads(1);  // the estimator has its own threads
     try {

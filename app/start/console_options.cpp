@@ -88,6 +88,20 @@ void declareLook(CLI::App& app, ConsoleOptions& options)
 
 }  // namespace
 
+CommandFiles filesOf(const ConsoleOptions& options)
+{
+    CommandFiles files;
+    for (const std::string& input :
+         {options.model, options.robot, options.terrain, options.replay, options.panel})
+        if (!input.empty()) files.inputs.push_back(input);
+    files.inputs.insert(files.inputs.end(), options.dbc.begin(), options.dbc.end());
+    for (const std::string& input : files.inputs)
+        for (std::string& companion : companionsOf(input))
+            files.companions.push_back(std::move(companion));
+    if (options.isPicture()) files.outputs.push_back(options.screenshot);
+    return files;
+}
+
 void declareOptions(CLI::App& app, ConsoleOptions& options)
 {
     app.set_version_flag("--version",

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/runtime/file_guard.h"
+
 namespace CLI {  // NOLINT(readability-identifier-naming): as CLI11 has it
 class App;
 }
@@ -40,6 +42,9 @@ struct ConsoleOptions {
     /// Returns false for a replay and for a picture, which are not recorded.
     bool records() const { return !noRecord && replay.empty() && !isPicture(); }
 };
+
+/// Returns the files that these options name: those read, and the picture that is written.
+CommandFiles filesOf(const ConsoleOptions& options);
 
 /// Declares the options to CLI11, which fills them during parsing; `options` must outlive that.
 void declareOptions(CLI::App& app, ConsoleOptions& options);

@@ -136,6 +136,28 @@ class Console(unittest.TestCase):
             self.said_in_one_line(run(demo, "--screenshot", str(link)), "x.png: cannot be written: it is a symbolic link")
             self.assertEqual(victim.read_text(), "mine")
 
+    def test_a_picture_overwrites_no_input(self):
+        source = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"])
+        with tempfile.TemporaryDirectory() as directory:
+            folder = pathlib.Path(directory)
+            demo, notes, dbc = folder / "d.tts", folder / "d.tts.notes.csv", folder / "p.dbc"
+            demo.write_bytes((source / "resources/sessions/demo.tts").read_bytes())
+            notes.write_text("t_s,note\n1,x\n")
+            dbc.write_bytes((source / "docs/can_payload.dbc").read_bytes())
+            other = folder / "hard.png"
+            other.hardlink_to(dbc)
+            for picture, *arguments in ((notes, demo), (dbc, "--dbc", dbc, demo), (other, "--dbc", dbc, demo),
+                                        (dbc, "--robot", dbc), (dbc, "--model", dbc), (dbc, "--terrain", dbc),
+                                        (dbc, "--panel", dbc)):
+                before = picture.read_bytes()
+                done = run("--screenshot", str(picture), *map(str, arguments))
+                self.said_in_one_line(done, "no input is overwritten")
+                self.assertEqual(picture.read_bytes(), before)
+
+    def test_a_file_that_is_not_there_is_named_as_such(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.said_in_one_line(run("--screenshot", f"{folder}/x.png", f"{folder}/no.tts"), "no.tts: .*No such file")
+
     def test_it_starts_without_a_home_folder(self):
         demo = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "resources", "sessions", "demo.tts")
         with tempfile.TemporaryDirectory() as folder:
