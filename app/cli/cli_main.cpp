@@ -13,6 +13,7 @@
 #include "app/cli/cli_subcommands.h"
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
+#include "app/runtime/standard_streams.h"
 #include "core/base/memory_limit.h"
 #include "core/store/unfinished_files.h"
 
@@ -76,6 +77,7 @@ int afterPrinting(int code)
 
 int main(int argc, char** argv)
 {
+    terratact::holdStandardStreams();
     try {
         return terratact::afterPrinting(terratact::realMain(argc, argv));
     } catch (const std::exception& error) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -29,13 +30,15 @@ auto forTerminal(const Value& value)
 }
 
 /// Prints a formatted text; all output of the programs goes through here. Each value may come from an untrusted file,
-/// so it becomes one line without control characters (printable()).
+/// so it becomes one line without control characters (printable()). If nothing can be written, it does nothing more:
+/// std::ferror(to) is set.
 template <class... Values>
 void printText(std::FILE* to,
                fmt::format_string<decltype(forTerminal(std::declval<const Values&>()))...> format,
                const Values&... values)
 {
-    fmt::print(to, format, forTerminal(values)...);
+    const std::string text = fmt::format(format, forTerminal(values)...);
+    (void)std::fwrite(text.data(), 1, text.size(), to);
 }
 
 template <class... Values>
