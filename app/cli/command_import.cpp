@@ -10,10 +10,12 @@
 #include "app/recording/session_text.h"
 #include "app/recording/survey_text.h"
 #include "app/runtime/print_text.h"
+#include "app/runtime/text_output.h"
 #include "core/mapping/mapping_proposal.h"
 #include "core/mapping/recording_check.h"
 #include "core/mapping/recording_survey.h"
 #include "core/store/file_read.h"
+#include "core/store/file_write.h"
 
 namespace terratact {
 
@@ -64,8 +66,17 @@ Status checkMapped(const ImportOptions& options)
     return fileError(options.file, fmt::format("{} doubts", findings->size()));
 }
 
+/// Checks that the scenes can be written, so that no session is left if they cannot.
+Status checkScenes(const std::string& path)
+{
+    if (path.empty() || isStandardOutput(path) || isStream(path)) return Done{};
+    const auto scenes = NewFile::begin(path);  // leaves no file
+    return scenes ? Status(Done{}) : scenes.error();
+}
+
 Status writeSession(const ImportOptions& options)
 {
+    if (const Status s = checkScenes(options.scenes); !s) return s;
     const auto done = importRecording({.file = options.file,
                                        .mapping = options.mapping,
                                        .robot = options.robot,

@@ -1,10 +1,12 @@
 #include "core/bags/bag_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "core/base/system_message.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -19,7 +21,10 @@ Result<BagFile> BagFile::open(const std::string& path)
                    : "is no regular file, and it is read back and forth: save it as a file first");
     std::ifstream file(path, std::ios::binary);
     const auto size = std::filesystem::file_size(path, failed);
-    if (!file || failed) return fileError(path, "cannot be read");
+    if (!file)
+        return fileError(path,
+                         Message::joined(TR_NOOP("core", "cannot be read"), systemMessage(errno)));
+    if (failed) return fileError(path, failed.message());
     return BagFile(std::move(file), size);
 }
 

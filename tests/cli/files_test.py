@@ -178,6 +178,39 @@ class Overwriting(Scenes):
             self.assertEqual(bare, [], source.name)
 
 
+    def test_a_card_without_its_model_is_not_replaced(self):
+        card = self.path / "q.card.toml"
+        card.write_text("my notes")
+        said = complaint("train", "--data", self.scenes, "--conditional-rows", 30, "--out", self.path / "q.ttm")
+        self.assertIn("q.card.toml: exists without the model", said)
+        self.assertEqual(card.read_text(), "my notes")
+
+    def test_no_session_is_left_where_its_scenes_cannot_be_written(self):
+        out = self.path / "x.tts"
+        said = complaint("import", self.scenes, "--mapping", MODEL, "--out", out, "--scenes", self.path / "none" / "o.csv")
+        self.assertIn("o.csv: cannot be written", said, "before anything is read")
+        self.assertFalse(out.exists())
+
+
+class ClosedStreams(Scenes):
+    def test_what_is_printed_goes_into_no_file(self):
+        csv = self.path / "c.csv"
+        csv.write_text("precious")
+        for closed in ("<&- >&-", "<&- >&- 2>&-"):
+            shell(f"$T can decode {LOG} --csv {csv} {closed}", code=1)
+            self.assertNotIn("RobotStatus  ", csv.read_text(), closed)
+
+    def test_without_a_place_for_messages_it_ends_with_its_code(self):
+        for command, code in (("contacts --data nofile", 1), ("foo", 2), (f"session info {DEMO}", 1)):
+            for closed in (">&- 2>&-", ">/dev/full 2>/dev/full"):
+                shell(f"$T {command} {closed}", code=code)
+
+    def test_a_closed_standard_output_is_named(self):
+        for command in (f"model show {MODEL}", f"can decode {LOG}", f"reconstruct --data {self.scenes} --out -"):
+            for closed in (">&-", ">/dev/full"):
+                self.assertIn("the standard output cannot be written", shell(f"$T {command} {closed}", code=1).stderr)
+
+
 class Pipes(Scenes):
     def test_scenes_and_estimates_go_through_pipes(self):
         out = self.path / "est.csv"
