@@ -1,6 +1,5 @@
 #include "app/shell/number_box.h"
 
-#include <QDoubleSpinBox>
 #include <cmath>
 
 #include "widgets/base/palette.h"
@@ -10,7 +9,7 @@ namespace terratact {
 
 QDoubleSpinBox* numberBox(QWidget* parent, const NumberBoxText& text)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new RoomyBox<QDoubleSpinBox>(parent);
     box->setDecimals(text.decimals);
     box->setRange(text.range.least / text.unit, text.range.most / text.unit);
     box->setSingleStep(std::pow(10.0, -text.decimals));

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QDoubleSpinBox>
 #include <QString>
+#include <algorithm>
 
 #include "app/shell/preferences/preferences.h"
-
-class QDoubleSpinBox;
-class QWidget;
+#include "widgets/base/palette.h"
 
 namespace terratact {
 
@@ -17,6 +17,20 @@ struct NumberBoxText {
     QString suffix{};
     QString tip{};
     double unit = 1.0;
+};
+
+/// A QSpinBox or QDoubleSpinBox that always has room for its number. In a form the label of another row may take all the
+/// width but the least of that row's field, so this least is the same for all.
+template <class Box>
+class RoomyBox final : public Box {
+public:
+    using Box::Box;
+    QSize minimumSizeHint() const override
+    {
+        constexpr int kLeast = 180;  // [px] at 100 %
+        const QSize usual = Box::minimumSizeHint();
+        return {std::max({usual.width(), Box::sizeHint().width(), scaled(kLeast)}), usual.height()};
+    }
 };
 
 /// Returns a number box that reports only complete numbers, named for screen readers.

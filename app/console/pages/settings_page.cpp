@@ -186,7 +186,7 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, Pr
 QSpinBox* SettingsPage::whole(QFormLayout* form, const QString& label, int least, int most,
                               const QString& suffix, const QString& tip, int Preferences::*value)
 {
-    auto* box = new QSpinBox(this);
+    auto* box = new RoomyBox<QSpinBox>(this);
     box->setRange(least, most);
     box->setSuffix(QLatin1Char(' ') + suffix);
     box->setKeyboardTracking(false);

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QWheelEvent>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "app/console/main_window.h"
+#include "app/start/language.h"
 #include "core/learn/model/file/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/sim/ground/terrain_shapes.h"
@@ -333,6 +335,24 @@ QDoubleSpinBox* boxOf(const SettingsPage& page, const char* name)
     for (QDoubleSpinBox* box : page.findChildren<QDoubleSpinBox*>())
         if (box->accessibleName() == QString::fromUtf8(name)) return box;
     return nullptr;
+}
+
+TEST(SettingsPageAlone, everyNumberCanBeReadOnASmallScreen)
+{
+    PreferenceStore store(LoadedPreferences{}, Preferences{});
+    for (const char* language : {"en", "de", "cs"}) {
+        ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
+        SettingsPage page(store);
+        page.resize(900, 500);
+        gui::showActive(page);
+        QApplication::processEvents();
+        for (const auto* box : page.findChildren<QAbstractSpinBox*>()) {
+            const auto* const edit = box->findChild<QLineEdit*>();
+            EXPECT_GE(edit->width(), edit->fontMetrics().horizontalAdvance(edit->text()))
+                << language << ": " << box->accessibleName().toStdString();
+        }
+    }
+    installLanguage(*qApp, "en");
 }
 
 TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
