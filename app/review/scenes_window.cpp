@@ -224,6 +224,8 @@ void ScenesWindow::showViewState()
     viewState.measurement = viewState.scene = &measurement_;
     const std::vector<ForceArray> forces = forcesOf(options_.scenes[scene_]);
     viewState.forces = &forces;
+    const std::vector<TimedForces> noneBefore;  // another scene's forces are no peaks of this one
+    viewState.forcesBefore = &noneBefore;
     viewState.sceneTruth = &truth_;
     viewState.sceneSideTruth = &sideTruth_;
     viewState.whyNoEstimate = trouble_.empty() ? tr("Estimating …") : translated(trouble_);

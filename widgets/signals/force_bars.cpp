@@ -384,7 +384,8 @@ void ForceBars::show()
     QStringList lines;
     for (int element = 0; element < kForceElements; ++element) lines << spoken(element);
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
-    setTip(*this, accessibleDescription());
+    setTip(*this,
+           accessibleDescription() + QLatin1Char('\n') + tr("Thin lines: highest of the last 3 s"));
     replot();
 }
 

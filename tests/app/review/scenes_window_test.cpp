@@ -11,6 +11,7 @@
 #include "tests/support/benches/review_command_check.h"
 #include "tests/support/gui.h"
 #include "widgets/control/status_header.h"
+#include "widgets/signals/force_bars.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -49,6 +50,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
     scenes[1] = scenes[0];
     scenes[1].run = "second";
     scenes[1].s.pitch = 0.2;
+    scenes[0].s.force[2] = 15.0;
     scenes[1].truth[3] = -0.2;  // the other bins are unknown
     ScenesWindow window(fileOf(onBothSides(scenes)));
     showActive(window);
@@ -58,6 +60,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
     QTest::keyClick(&window, Qt::Key_Period);
     EXPECT_EQ(window.scene(), 1U);
     EXPECT_FALSE(window.estimate()) << "of another scene";
+    EXPECT_LT(window.terrainPage()->forces()->peak(2).value_or(0.0), 1.0) << "of this scene alone";
     ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
     EXPECT_NE(*window.estimate(), first);
     EXPECT_FALSE(painted(window).isNull());

@@ -235,7 +235,7 @@ TEST_F(Forces, aSaturatedElementShowsNoExactNumber)
     EXPECT_EQ(bars.numberText(4, 0), ">19");
     EXPECT_EQ(bars.numberText(4, 1), "18");
     EXPECT_TRUE(bars.accessibleDescription().contains("L >19 N saturated, R 18 N, contact"));
-    EXPECT_EQ(bars.toolTip(), bars.accessibleDescription());
+    EXPECT_TRUE(bars.toolTip().startsWith(bars.accessibleDescription()));
     const QColor mark = colourIn(4, 0, bars.barRect(4, 0).height() - 8.0);
     EXPECT_EQ(mark, theme().text) << "a triangle";
 }
