@@ -28,16 +28,15 @@ Message stepText(const Verdict& verdict, double limit)
             randomErrorText(100.0 * step.monteCarloSd, 1)};
 }
 
-/// Adds what keeps the verdict open: bins that were not felt, and reasons to withhold it.
+/// Adds what keeps the verdict open: bins that are bounded or not felt, and reasons to withhold it.
 void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
 {
-    std::vector<Message> bins;
-    bins.reserve(verdict.unfelt.size());
-    for (const int bin : verdict.unfelt)
-        bins.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
-    if (!bins.empty())
+    if (!verdict.bounded.empty())
+        parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "bounded: %1"),
+                           placesOf(verdict.bounded));
+    if (const std::vector<int> bins = notFelt(verdict); !bins.empty())
         parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "not felt: %1"),
-                           Message::listed(std::move(bins), ", "));
+                           placesOf(bins));
     for (const WithholdReason reason : verdict.withheldFor) parts.emplace_back(describe(reason));
 }
 

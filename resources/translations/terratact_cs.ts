@@ -2011,7 +2011,7 @@ značka K</translation>
     </message>
     <message>
         <source>constrained</source>
-        <translation>omezeno</translation>
+        <translation>vymezeno</translation>
     </message>
     <message>
         <source>sampled</source>
@@ -6023,6 +6023,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>its journal %1 was written for another session: move it away</source>
         <translation>její žurnál %1 patří jiné relaci: přesuňte ho jinam</translation>
     </message>
+    <message>
+        <source>%1 to %2 m, nothing felt ahead</source>
+        <translation>%1 do %2 m, vpředu nic neohmatáno</translation>
+    </message>
+    <message>
+        <source>bounded: %1</source>
+        <translation>omezeno: %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7663,6 +7671,10 @@ F1</translation>
         <source>element %1: %2</source>
         <translation>prvek %1: %2</translation>
     </message>
+    <message>
+        <source>Thin lines: highest of the last 3 s</source>
+        <translation>Tenké čáry: nejvyšší hodnota posledních 3 s</translation>
+    </message>
 </context>
 <context>
     <name>terratact::GamepadControl</name>
@@ -9212,7 +9224,7 @@ F1</translation>
     </message>
     <message>
         <source>constrained</source>
-        <translation>omezeno</translation>
+        <translation>vymezeno</translation>
     </message>
     <message>
         <source>sampled</source>
@@ -10591,6 +10603,10 @@ F1</translation>
     <message>
         <source>P(step &gt; %1 m up to each horizon) = %2 % ± %3</source>
         <translation>P(schod &gt; %1 m až k horizontu každé strany) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>bounded: %1</source>
+        <translation>omezeno: %1</translation>
     </message>
 </context>
 <context>
@@ -12844,24 +12860,12 @@ vpředu</translation>
         <translation>spojení bylo ztraceno</translation>
     </message>
     <message>
-        <source>up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
-        <translation>do %3 před IMU, riziko pod %1 %, ale neohmatáno: %2</translation>
-    </message>
-    <message>
         <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
         <translation>Schod: dva body nejvýše %3 od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 před IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>
         <translation>ohmatáno do %1 před IMU, riziko pod %2 %</translation>
-    </message>
-    <message>
-        <source>felt to %1 ahead of the IMU, risk below %2 %; not felt: %3</source>
-        <translation>ohmatáno do %1 před IMU, riziko pod %2 %; neohmatáno: %3</translation>
-    </message>
-    <message>
-        <source>%1; not felt: %2</source>
-        <translation>%1; neohmatáno: %2</translation>
     </message>
     <message>
         <source>%1. Helps: %2</source>
@@ -12932,12 +12936,20 @@ vpředu</translation>
         <translation>, pomůže o %1 dál</translation>
     </message>
     <message>
-        <source>felt to %1 only, spanned to %2, risk below %3 %</source>
-        <translation>ohmatáno jen do %1, překlenuto do %2, riziko pod %3 %</translation>
+        <source>bounded: %1</source>
+        <translation>omezeno: %1</translation>
     </message>
     <message>
-        <source>felt to %1 only, spanned to %2, risk below %3 %; not felt: %4</source>
-        <translation>ohmatáno jen do %1, překlenuto do %2, riziko pod %3 %; neohmatáno: %4</translation>
+        <source>not felt: %1</source>
+        <translation>neohmatáno: %1</translation>
+    </message>
+    <message>
+        <source>nothing ahead is felt</source>
+        <translation>vpředu není nic ohmatáno</translation>
+    </message>
+    <message>
+        <source>%1, spanned to %2, risk below %3 %</source>
+        <translation>%1, překlenuto do %2, riziko pod %3 %</translation>
     </message>
 </context>
 <context>

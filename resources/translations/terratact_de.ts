@@ -2011,7 +2011,7 @@ Marke K</translation>
     </message>
     <message>
         <source>constrained</source>
-        <translation>begrenzt</translation>
+        <translation>eingeschränkt</translation>
     </message>
     <message>
         <source>sampled</source>
@@ -6023,6 +6023,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>its journal %1 was written for another session: move it away</source>
         <translation>ihr Journal %1 gehört zu einer anderen Sitzung: legen Sie es anderswohin</translation>
     </message>
+    <message>
+        <source>%1 to %2 m, nothing felt ahead</source>
+        <translation>%1 bis %2 m, voraus nichts ertastet</translation>
+    </message>
+    <message>
+        <source>bounded: %1</source>
+        <translation>begrenzt: %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -7663,6 +7671,10 @@ F1</translation>
         <source>element %1: %2</source>
         <translation>Element %1: %2</translation>
     </message>
+    <message>
+        <source>Thin lines: highest of the last 3 s</source>
+        <translation>Dünne Linien: Höchstwert der letzten 3 s</translation>
+    </message>
 </context>
 <context>
     <name>terratact::GamepadControl</name>
@@ -9211,7 +9223,7 @@ F1</translation>
     </message>
     <message>
         <source>constrained</source>
-        <translation>begrenzt</translation>
+        <translation>eingeschränkt</translation>
     </message>
     <message>
         <source>sampled</source>
@@ -10590,6 +10602,10 @@ F1</translation>
     <message>
         <source>P(step &gt; %1 m up to each horizon) = %2 % ± %3</source>
         <translation>P(Stufe &gt; %1 m bis zum jeweiligen Horizont) = %2 % ± %3</translation>
+    </message>
+    <message>
+        <source>bounded: %1</source>
+        <translation>begrenzt: %1</translation>
     </message>
 </context>
 <context>
@@ -12843,24 +12859,12 @@ voraus</translation>
         <translation>Verbindung war verloren</translation>
     </message>
     <message>
-        <source>up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2</source>
-        <translation>bis %3 vor der IMU, Risiko unter %1 %, aber nicht ertastet: %2</translation>
-    </message>
-    <message>
         <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
         <translation>Eine Stufe: zwei Felder, höchstens %3 voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 vor der IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>
         <translation>ertastet bis %1 vor der IMU, Risiko unter %2 %</translation>
-    </message>
-    <message>
-        <source>felt to %1 ahead of the IMU, risk below %2 %; not felt: %3</source>
-        <translation>ertastet bis %1 vor der IMU, Risiko unter %2 %; nicht ertastet: %3</translation>
-    </message>
-    <message>
-        <source>%1; not felt: %2</source>
-        <translation>%1; nicht ertastet: %2</translation>
     </message>
     <message>
         <source>%1. Helps: %2</source>
@@ -12931,12 +12935,20 @@ voraus</translation>
         <translation>, %1 weiter hilft</translation>
     </message>
     <message>
-        <source>felt to %1 only, spanned to %2, risk below %3 %</source>
-        <translation>nur bis %1 ertastet, bis %2 überspannt, Risiko unter %3 %</translation>
+        <source>bounded: %1</source>
+        <translation>begrenzt: %1</translation>
     </message>
     <message>
-        <source>felt to %1 only, spanned to %2, risk below %3 %; not felt: %4</source>
-        <translation>nur bis %1 ertastet, bis %2 überspannt, Risiko unter %3 %; nicht ertastet: %4</translation>
+        <source>not felt: %1</source>
+        <translation>nicht ertastet: %1</translation>
+    </message>
+    <message>
+        <source>nothing ahead is felt</source>
+        <translation>voraus ist nichts ertastet</translation>
+    </message>
+    <message>
+        <source>%1, spanned to %2, risk below %3 %</source>
+        <translation>%1, bis %2 überspannt, Risiko unter %3 %</translation>
     </message>
 </context>
 <context>

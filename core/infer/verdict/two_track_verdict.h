@@ -40,7 +40,7 @@ struct TwoTrackVerdict {
     StepProbability either;       ///< probability of a step ahead on either side
     /// The same up to the horizon of each side. {1, 0} unless both sides are Clear.
     StepProbability eitherToHorizons;
-    CrossSlope crossSlope;        ///< of all bins ahead
+    CrossSlope crossSlope;  ///< of all bins ahead
     /// Answer for the robot. Blocked if a side or the cross slope is blocked, or if a step on either
     /// side has Blocked's probability. Clear if both sides are clear, and the joint probability up
     /// to both horizons. The cross slope must be clear up to the nearer one. CannotTell else, and

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -167,20 +168,43 @@ Message stepVerdictMessage(const Verdict& verdict)
     const SourceText answer = describe(verdict.stepVerdict);
     if (!isClearToHorizon(verdict)) return answer;
     const std::string to = signedFixed(verdict.horizon, 2);
+    if (verdict.shortfall == Shortfall::Spanned && isNothingFeltAhead(verdict))
+        return {TR_NOOP("core", "%1 to %2 m, nothing felt ahead"), answer, to};
     if (verdict.shortfall == Shortfall::Spanned)
         return {TR_NOOP("core", "%1 to %2 m, felt to %3 m"), answer, to,
                 signedFixed(verdict.feltTo, 2)};
     return {TR_NOOP("core", "%1 to %2 m"), answer, to};
 }
 
+std::vector<int> notFelt(const Verdict& verdict)
+{
+    std::vector<int> bins;
+    std::ranges::set_difference(verdict.unfelt, verdict.bounded, std::back_inserter(bins));
+    return bins;
+}
+
+bool isNothingFeltAhead(const Verdict& verdict)
+{
+    return verdict.feltTo < binCentre(kFirstAhead);
+}
+
+Message placesOf(const std::vector<int>& bins)
+{
+    std::vector<Message> places;
+    places.reserve(bins.size());
+    for (const int bin : bins)
+        places.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
+    return Message::listed(std::move(places), ", ");
+}
+
 Message unfeltMessage(const Verdict& verdict)
 {
-    if (verdict.unfelt.empty()) return {};
-    std::vector<Message> bins;
-    bins.reserve(verdict.unfelt.size());
-    for (const int bin : verdict.unfelt)
-        bins.push_back(Message::verbatim(signedFixed(binCentre(bin), 1) + " m"));
-    return {TR_NOOP("core", "not felt: %1"), Message::listed(std::move(bins), ", ")};
+    std::vector<Message> parts;
+    if (!verdict.bounded.empty())
+        parts.emplace_back(TR_NOOP("core", "bounded: %1"), placesOf(verdict.bounded));
+    if (const std::vector<int> bins = notFelt(verdict); !bins.empty())
+        parts.emplace_back(TR_NOOP("core", "not felt: %1"), placesOf(bins));
+    return Message::listed(std::move(parts), "; ");
 }
 
 std::string describeStepVerdict(const Verdict& verdict)
@@ -202,7 +226,10 @@ Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
     verdict.likeliest = kFirstAhead;
     verdict.withheldFor = withholdReasons(estimate, scene, since);
     for (int bin = kFirstAhead; bin < kBins; ++bin)
-        if (isUnfeltAhead(estimate, bin)) verdict.unfelt.push_back(bin);
+        if (isUnfeltAhead(estimate, bin)) {
+            verdict.unfelt.push_back(bin);
+            if (touchAt(estimate, bin) == Touch::Bounded) verdict.bounded.push_back(bin);
+        }
     writeHorizon(verdict, estimate, scene, limit);
     if (estimate.draws.empty()) {
         verdict.step = {0.0, 1.0};

@@ -64,8 +64,9 @@ struct Verdict {
     StepProbability step;  ///< probability of a step ahead; {0, 1} without draws
     /// Rear bin of the pair of neighbours ahead with the largest probability of a step.
     int likeliest = 0;
-    double likeliestP = 0.0;    ///< probability of a step in that pair
-    std::vector<int> unfelt{};  ///< bins ahead that are bounded or not felt
+    double likeliestP = 0.0;     ///< probability of a step in that pair
+    std::vector<int> unfelt{};   ///< bins ahead that are bounded or not felt
+    std::vector<int> bounded{};  ///< those of `unfelt` that are bounded
     /// Not empty: the answer is withheld, and stepVerdict is CannotTell.
     std::vector<WithholdReason> withheldFor;
     /// x up to which CLEAR reaches [m], the front border of horizonBin(). binBegin(kFirstAhead):
@@ -90,11 +91,20 @@ bool isClearToHorizon(const Verdict& verdict);
 /// ahead.
 const StepProbability& answeredBy(const Verdict& verdict);
 
-/// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.
+/// Returns the bins of `unfelt` that are not felt, and not bounded either.
+std::vector<int> notFelt(const Verdict& verdict);
+
+/// Returns true if no bin ahead is felt, so that `feltTo` is behind the first one.
+bool isNothingFeltAhead(const Verdict& verdict);
+
+/// Returns "+0.6 m, +0.7 m".
+Message placesOf(const std::vector<int>& bins);
+
+/// Returns "bounded: +0.3 m; not felt: +0.6 m, +0.7 m", or one of the two; empty if all ahead is felt.
 Message unfeltMessage(const Verdict& verdict);
 
 /// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL". Over spanned ground: "CLEAR to +0.55 m,
-/// felt to +0.25 m".
+/// felt to +0.35 m", or "CLEAR to +0.55 m, nothing felt ahead".
 Message stepVerdictMessage(const Verdict& verdict);
 
 /// Return unfeltMessage() and stepVerdictMessage() in English.

@@ -40,11 +40,30 @@ QString likeliestText(const Verdict& verdict)
              shortProbability(verdict.likeliestP));
 }
 
-QString unfeltText(const std::vector<int>& bins)
+QString placesText(const std::vector<int>& bins)
 {
     QStringList names;
     for (const int bin : bins) names << format::binName(bin);
     return names.join(QStringLiteral(", "));
+}
+
+/// Returns `text`, and the bins ahead that are bounded or not felt: "…; bounded: 0.3 m; not felt: 0.6 m".
+QString withUnfelt(const QString& text, const Verdict& verdict)
+{
+    QStringList parts{text};
+    if (!verdict.bounded.empty())
+        parts << VerdictStrip::tr("bounded: %1").arg(placesText(verdict.bounded));
+    if (const std::vector<int> bins = notFelt(verdict); !bins.empty())
+        parts << VerdictStrip::tr("not felt: %1").arg(placesText(bins));
+    return parts.join(QStringLiteral("; "));
+}
+
+/// Returns how far all ground ahead is felt.
+QString feltText(const Verdict& verdict)
+{
+    return isNothingFeltAhead(verdict)
+             ? VerdictStrip::tr("nothing ahead is felt")
+             : VerdictStrip::tr("felt to %1 only").arg(format::signedLength(verdict.feltTo, 2));
 }
 
 /// Returns a short form of one reason among several, which share two lines.
@@ -81,9 +100,7 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
     switch (verdict.shortfall) {
     case Shortfall::None: break;
     case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
-    case Shortfall::ShortHorizon:
-        text = VerdictStrip::tr("felt to %1 only").arg(format::signedLength(verdict.feltTo, 2));
-        break;
+    case Shortfall::ShortHorizon: text = feltText(verdict); break;
     case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
     }
     if (!withHelp) return text;
@@ -93,45 +110,28 @@ QString briefShortfall(const Verdict& verdict, bool withHelp)
     return text;
 }
 
-/// Returns how far CLEAR over spanned ground is felt, and what is not.
-QString spannedClearText(const Verdict& verdict, const QString& risk, const QString& unfelt)
-{
-    const QString felt = format::signedLength(verdict.feltTo, 2);
-    const QString to = format::signedLength(verdict.horizon, 2);
-    return unfelt.isEmpty()
-             ? VerdictStrip::tr("felt to %1 only, spanned to %2, risk below %3 %")
-                   .arg(felt, to, risk)
-             : VerdictStrip::tr("felt to %1 only, spanned to %2, risk below %3 %; not felt: %4")
-                   .arg(felt, to, risk, unfelt);
-}
-
 /// Returns how far CLEAR reaches and what lies beyond.
 QString clearText(const Verdict& verdict)
 {
     const QString risk = format::percent(kClearBelow);
     const QString to = format::signedLength(verdict.horizon, 2);
-    const QString unfelt = unfeltText(verdict.unfelt);
     const QString end = format::length(binEnd(kBins - 1), 2);
     if (!verdict.touchRecorded)
-        return unfelt.isEmpty()
-                 ? VerdictStrip::tr("up to %2 ahead of the IMU, at a risk below %1 %")
-                       .arg(risk, end)
-                 : VerdictStrip::tr(
-                       "up to %3 ahead of the IMU, at a risk below %1 %, but not felt: %2")
-                       .arg(risk, unfelt, end);
-    if (verdict.shortfall == Shortfall::Spanned) return spannedClearText(verdict, risk, unfelt);
-    return unfelt.isEmpty()
-             ? VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %").arg(to, risk)
-             : VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %; not felt: %3")
-                   .arg(to, risk, unfelt);
+        return withUnfelt(
+            VerdictStrip::tr("up to %2 ahead of the IMU, at a risk below %1 %").arg(risk, end),
+            verdict);
+    if (verdict.shortfall == Shortfall::Spanned)
+        return withUnfelt(
+            VerdictStrip::tr("%1, spanned to %2, risk below %3 %").arg(feltText(verdict), to, risk),
+            verdict);
+    return withUnfelt(
+        VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %").arg(to, risk), verdict);
 }
 
 /// Returns what is not felt, and what besides a probe would help.
 QString shortfallText(const Verdict& verdict)
 {
-    QString text = translated(describe(verdict.shortfall));
-    if (const QString unfelt = unfeltText(verdict.unfelt); !unfelt.isEmpty())
-        text = VerdictStrip::tr("%1; not felt: %2").arg(text, unfelt);
+    QString text = withUnfelt(translated(describe(verdict.shortfall)), verdict);
     if (verdict.help != Help::Nothing)
         text = VerdictStrip::tr("%1. Helps: %2").arg(text, translated(describe(verdict.help)));
     return text;

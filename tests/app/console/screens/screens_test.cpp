@@ -260,7 +260,8 @@ TEST_F(Screens, verdict)
         ASSERT_NO_FATAL_FAILURE(explore());
         picture("clear_to_a_horizon",
                 {VerdictStrip::tr("✔ CLEAR"),
-                 VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %; not felt: %3")});
+                 VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %") + "; "
+                     + VerdictStrip::tr("not felt: %1")});
 
         open({.before = 0.5, .linkLostAfter = 0.8});
         seldom();

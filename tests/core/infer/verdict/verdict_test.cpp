@@ -62,6 +62,13 @@ TEST(Verdict, namesTheBinsAheadThatAreNotFelt)
         e.ceiling[bin] = std::numeric_limits<double>::infinity();
     e.origin[8] = Origin::Contact;
     EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{9, 10}));
+    e.touch.fill(Touch::Felt);
+    e.touch[9] = Touch::Bounded;
+    e.touch[10] = Touch::NotFelt;
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
+    EXPECT_EQ(v.bounded, (std::vector<int>{9}));
+    EXPECT_EQ(describeUnfelt(v), "bounded: +0.6 m; not felt: +0.7 m");
 }
 
 /// Everything ahead is felt up to `last`, the rest is open. Ceilings end with the felt bins.
@@ -117,7 +124,7 @@ TEST(Verdict, spannedGroundNeedsALowRate)
     EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
     EXPECT_NEAR(v.horizon, 0.55, 1e-9);
     EXPECT_NEAR(v.feltTo, 0.25, 1e-9);
-    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m, felt to +0.25 m");
+    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m, nothing felt ahead");
 }
 
 TEST(Verdict, steepFlippersGetTheHelpToLieFlatter)

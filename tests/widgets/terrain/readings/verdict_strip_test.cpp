@@ -73,16 +73,22 @@ TEST_F(Strip, clearOverSpannedGroundSaysHowFarItIsFelt)
     v.horizon = v.feltTo = 0.55;
     strip.setVerdict(v);
     EXPECT_TRUE(strip.reason().startsWith("felt to +0.55 m ahead")) << strip.reason().toStdString();
-    v.feltTo = 0.25;
+    v.feltTo = 0.35;
     v.shortfall = Shortfall::Spanned;
-    v.unfelt = {6, 9};
+    v.unfelt = {7, 9};
     strip.setVerdict(v);
-    EXPECT_EQ(strip.reason(), QStringLiteral("felt to +0.25 m only, spanned to +0.55 m, risk below "
-                                             "5 %; not felt: 0.3 m, 0.6 m"));
+    EXPECT_EQ(strip.reason(), QStringLiteral("felt to +0.35 m only, spanned to +0.55 m, risk below "
+                                             "5 %; not felt: 0.4 m, 0.6 m"));
+    v.bounded = {7};
+    strip.setVerdict(v);
+    EXPECT_EQ(strip.reason(), QStringLiteral("felt to +0.35 m only, spanned to +0.55 m, risk below "
+                                             "5 %; bounded: 0.4 m; not felt: 0.6 m"));
     v.unfelt.clear();
+    v.bounded.clear();
+    v.feltTo = 0.25;  // behind the first bin ahead
     strip.setVerdict(v);
     EXPECT_EQ(strip.reason(),
-              QStringLiteral("felt to +0.25 m only, spanned to +0.55 m, risk below 5 %"));
+              QStringLiteral("nothing ahead is felt, spanned to +0.55 m, risk below 5 %"));
 }
 
 TEST_F(Strip, aShortHorizonCountsFeltBinsOnly)
@@ -90,10 +96,12 @@ TEST_F(Strip, aShortHorizonCountsFeltBinsOnly)
     Verdict v = verdict(StepVerdict::CannotTell, 0.5);
     v.touchRecorded = true;
     v.horizon = 0.45;
-    v.feltTo = 0.25;
+    v.feltTo = 0.35;
     v.shortfall = Shortfall::ShortHorizon;
-    strip.setVerdict(v);
-    EXPECT_TRUE(VerdictStrip::brieflyOf(v, true).contains("felt to +0.25 m only"))
+    EXPECT_TRUE(VerdictStrip::brieflyOf(v, true).contains("felt to +0.35 m only"))
+        << VerdictStrip::brieflyOf(v, true).toStdString();
+    v.feltTo = 0.25;
+    EXPECT_TRUE(VerdictStrip::brieflyOf(v, true).contains("nothing ahead is felt"))
         << VerdictStrip::brieflyOf(v, true).toStdString();
 }
 
