@@ -42,6 +42,7 @@ Status mergeTraining(const MergeOptions& options)
     if (!robot) return robot.error();
     const auto parts = readParts<NamedModelPart>(options.parts, readModelPart);
     if (!parts) return parts.error();
+    if (Status s = checkCardReplaceable(options.out); !s) return s;
     const auto model = mergeModelParts(*parts, *robot, sha256Hex(*bytes), options.out);
     if (!model) return model.error();
     if (Status written = writeModel(options.out, *model); !written) return written;

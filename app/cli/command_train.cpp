@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -16,7 +15,6 @@
 #include "app/runtime/progress.h"
 #include "core/learn/model/file/model_file.h"
 #include "core/learn/model/file/model_part.h"
-#include "core/learn/model/model_card.h"
 #include "core/robot/robot_model.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
@@ -143,16 +141,6 @@ Status trainTrailNetworks(const TrainOptions& options, const RobotModel& robot)
     return Done{};
 }
 
-/// Checks that no card of another model is replaced.
-Status checkCard(const std::string& model)
-{
-    const std::string card = cardPath(model);
-    if (!std::filesystem::exists(card) || std::filesystem::exists(model)) return Done{};
-    return fileError(card,
-                     "exists without the model, whose card would replace it: move it, or name "
-                     "another --out");
-}
-
 }  // namespace
 
 Status train(const TrainOptions& options)
@@ -164,7 +152,7 @@ Status train(const TrainOptions& options)
     if (!options.drives.empty() || !options.trackDrives.empty())
         return trainTrailNetworks(options, *robot);
     if (!options.bins)
-        if (Status s = checkCard(options.out); !s) return s;
+        if (Status s = checkCardReplaceable(options.out); !s) return s;
     ChosenMixes mixes;
     auto model = trainVisibly(options, *robot, mixes);
     if (!model) return model.error();

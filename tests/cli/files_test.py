@@ -178,12 +178,16 @@ class Overwriting(Scenes):
             self.assertEqual(bare, [], source.name)
 
 
-    def test_a_card_without_its_model_is_not_replaced(self):
-        card = self.path / "q.card.toml"
+    def test_a_model_card_replaces_only_a_card(self):
+        card, data = self.path / "q.card.toml", self.path / "many.csv"
+        run("simulate", "--terrain", "boxes", "--count", 40, "--out", data)
+        train = ("train", "--data", data, "--out", self.path / "q.ttm")
         card.write_text("my notes")
-        said = complaint("train", "--data", self.scenes, "--conditional-rows", 30, "--out", self.path / "q.ttm")
-        self.assertIn("q.card.toml: exists without the model", said)
+        self.assertIn("q.card.toml: is no model card", complaint(*train))
         self.assertEqual(card.read_text(), "my notes")
+        shutil.copyfile(MODEL.replace(".ttm", ".card.toml"), card)
+        run(*train)
+        self.assertNotEqual(card.read_bytes(), pathlib.Path(MODEL.replace(".ttm", ".card.toml")).read_bytes())
 
     def test_no_session_is_left_where_its_scenes_cannot_be_written(self):
         out = self.path / "x.tts"

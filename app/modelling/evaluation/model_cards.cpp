@@ -7,11 +7,13 @@
 #include <ctime>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/learn/model/surface_rows.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
@@ -61,6 +63,18 @@ std::string dateOfToday()
     ::gmtime_r(&seconds, &parts);
     return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", parts.tm_year + 1900,
                        parts.tm_mon + 1, parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+Status checkCardReplaceable(const std::string& modelPath)
+{
+    const std::string card = cardPath(modelPath);
+    std::error_code unknown;
+    if (!std::filesystem::exists(card, unknown)) return Done{};
+    constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
+    const auto text = readFile(card, kMaxBytes);
+    if (text && modelCardFrom(card, *text)) return Done{};
+    return fileError(card, "is no model card, and the new model's would replace it: move it, or "
+                           "name another --out");
 }
 
 Status writeNewCard(const std::string& modelPath, const ModelData& model,

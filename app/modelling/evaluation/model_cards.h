@@ -34,6 +34,9 @@ struct ChosenMixes {
     std::optional<CardMix> tracks{}, plane{};
 };
 
+/// Checks that the file in the place of a new model's card is a card, or that there is none. Errors name it.
+Status checkCardReplaceable(const std::string& modelPath);
+
 /// Writes the card of a new model. dataPath: its training scenes; empty if unknown.
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
                     const std::string& dataPath, const ChosenMixes& mixes = {});
