@@ -222,6 +222,7 @@ private:
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<StopDisplay> stopDisplay_;
     std::unique_ptr<ShortNotice> notice_;
+    bool wasArmed_ = false;
     std::unique_ptr<ProbeNotice> probeNotice_;
     std::unique_ptr<SharedStop> sharedStop_;
     std::unique_ptr<ConsoleAlarms> alarms_;

@@ -1,6 +1,7 @@
 // What happens at every tick: the exploration is polled, then the window is drawn from one moment.
 #include <QLabel>
 #include <QPushButton>
+#include <utility>
 
 #include "app/console/main_window.h"
 #include "app/console/pages/live_plots.h"
@@ -91,6 +92,8 @@ void MainWindow::redraw()
     stopDisplay_->show(elsewhere ? StopViewState{.state = StopViewState::State::Elsewhere} : stop);
     showPanelLost();
     if (replayBar_) replayBar_->poll();
+    if (!std::exchange(wasArmed_, exploration_->armed()) && wasArmed_)
+        notice_->end();  // "not armed"
     notice_->poll(now, !stopDisplay_->isLate());
     header()->setOverridden(translated(Message::listed(exploration_->overridden(), "; ")));
     if (settings_->isVisible()) showCards();

@@ -15,6 +15,7 @@ public:
 
     /// Shows a text instead of any earlier one. now: any monotonic clock [s].
     void show(const QString& text, double now);
+    void end() { until_ = 0.0; }  ///< what it says no longer holds
     /// Call several times a second. hasRoom: no banner with priority is shown.
     void poll(double now, bool hasRoom);
 

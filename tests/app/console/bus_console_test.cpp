@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/console/main_window.h"
+#include "app/shell/short_notice.h"
 #include "tests/support/absolem.h"
 #include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/gui.h"
@@ -124,6 +125,19 @@ TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
     QTest::keyClick(window.get(), Qt::Key_M);
     EXPECT_TRUE(eventually([&] { return arming() == ArmingPhase::Disarmed; }));
     EXPECT_TRUE(eventually([&] { return !window->drivePad()->forwardButton()->isEnabled(); }));
+}
+
+TEST_F(BusConsole, onceItIsArmedNoBannerSaysNotArmed)
+{
+    open();
+    EXPECT_TRUE(gui::eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_W);
+        return says("not driven: not armed");
+    }));
+    arm();
+    EXPECT_TRUE(gui::eventually([&] { return !says("not driven: not armed"); },
+                                static_cast<int>(500.0 * ShortNotice::kFor)))
+        << "long before it would end anyway";
 }
 
 TEST_F(BusConsole, canBeArmedAgainWhereSomethingDisarmedOnTheWay)
