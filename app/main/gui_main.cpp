@@ -21,7 +21,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kDone = 0, kFailed = 1;
+constexpr int kFailed = 1;
 // [bytes] minimum besides the libraries; without a limit it uses 750 MB
 constexpr std::size_t kWindowMemory = 700'000'000;
 
