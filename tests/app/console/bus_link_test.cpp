@@ -265,8 +265,13 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
     ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
     ASSERT_EQ(made->all().size(), 2U);
-    EXPECT_EQ(std::ranges::count(made->all()[0].side[0].origin, Origin::Arm), 0);
-    EXPECT_EQ(std::ranges::count(made->all()[1].side[0].origin, Origin::Arm), 1);
+    const auto armBins = [&](std::size_t which) {
+        const auto& [left, right] = made->all()[which].side;
+        return std::ranges::count(left.origin, Origin::Arm)
+             + std::ranges::count(right.origin, Origin::Arm);
+    };
+    EXPECT_EQ(armBins(0), 0);
+    EXPECT_EQ(armBins(1), 1) << "of either side: noise decides which is less certain";
     EXPECT_EQ(heard->all(), made->all());
     EXPECT_EQ(replayed.all(), made->all());
     ASSERT_EQ(ledger.size(), 1U);
