@@ -70,8 +70,8 @@ Status checkCardReplaceable(const std::string& modelPath)
     const std::string card = cardPath(modelPath);
     std::error_code unknown;
     if (!std::filesystem::exists(card, unknown)) return Done{};
-    constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
-    const auto text = readFile(card, kMaxBytes);
+    constexpr std::size_t kMaxCardBytes = std::size_t{1} << 20U;
+    const auto text = readFile(card, kMaxCardBytes);
     if (text && modelCardFrom(card, *text)) return Done{};
     return fileError(card, "is no model card, and the new model's would replace it: move it, or "
                            "name another --out");
