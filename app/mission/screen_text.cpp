@@ -41,7 +41,7 @@ void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
 }
 
 /// Returns the probability that the robot's answer rests on.
-Message eitherText(const TwoTrackVerdict& verdict, double limit)
+Message robotStepText(const TwoTrackVerdict& verdict, double limit)
 {
     const StepProbability& step = answeredBy(verdict);
     if (verdict.both != StepVerdict::Clear) return stepText(step, limit);
@@ -67,7 +67,7 @@ void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, dou
     }
     parts.emplace_back(describe(verdict.both));
     parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "either side: %1"),
-                       eitherText(verdict, limit));
+                       robotStepText(verdict, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "left: %1"), left, limit));
     parts.push_back(sideText(TR_NOOP("terratact::SessionEventLogger", "right: %1"), right, limit));
 }
