@@ -371,7 +371,7 @@ void MainWindow::log(const Message& text, EventSeverity severity)
 void MainWindow::showWhyNot(const Message& text)
 {
     log(text, EventSeverity::Warning);
-    notice_->show(translated(text), steadyNow());
+    notice_->showRefusal(translated(text), steadyNow());
 }
 
 void MainWindow::defineKeys()

@@ -93,7 +93,7 @@ void MainWindow::redraw()
     showPanelLost();
     if (replayBar_) replayBar_->poll();
     if (!std::exchange(wasArmed_, exploration_->armed()) && wasArmed_)
-        notice_->end();  // "not armed"
+        notice_->endRefusal();  // "not armed"
     notice_->poll(now, !stopDisplay_->isLate());
     header()->setOverridden(translated(Message::listed(exploration_->overridden(), "; ")));
     if (settings_->isVisible()) showCards();

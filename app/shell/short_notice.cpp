@@ -15,7 +15,19 @@ void ShortNotice::show(const QString& text, double now)
 {
     banner_.setText(text);
     until_ = now + kFor;
+    isRefusal_ = false;
     announce(banner_);
+}
+
+void ShortNotice::showRefusal(const QString& text, double now)
+{
+    show(text, now);
+    isRefusal_ = true;
+}
+
+void ShortNotice::endRefusal()
+{
+    if (isRefusal_) until_ = 0.0;
 }
 
 void ShortNotice::poll(double now, bool hasRoom)

@@ -15,13 +15,16 @@ public:
 
     /// Shows a text instead of any earlier one. now: any monotonic clock [s].
     void show(const QString& text, double now);
-    void end() { until_ = 0.0; }  ///< what it says no longer holds
+    /// Shows why a command had no effect.
+    void showRefusal(const QString& text, double now);
+    void endRefusal();  ///< the reason no longer holds; another text stays
     /// Call several times a second. hasRoom: no banner with priority is shown.
     void poll(double now, bool hasRoom);
 
 private:
     QLabel& banner_;
     double until_ = 0.0;  ///< [s]
+    bool isRefusal_ = false;
 };
 
 }  // namespace terratact
