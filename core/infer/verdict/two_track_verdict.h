@@ -38,7 +38,7 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
 struct TwoTrackVerdict {
     std::array<Verdict, 2> side;  ///< left, right, each from its own draws
     StepProbability either;       ///< probability of a step ahead on either side
-    /// The same up to the horizon of each side. {1, 0} unless both sides are Clear.
+    /// The same up to the horizon of each side. Unset unless both sides are Clear.
     StepProbability eitherToHorizons;
     CrossSlope crossSlope;  ///< of all bins ahead
     /// Answer for the robot. Blocked if a side or the cross slope is blocked, or if a step on either
