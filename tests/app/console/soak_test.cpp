@@ -40,6 +40,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFramesPerSecond = 9000;
+constexpr double kHangGuard = 120.0;  // [s]
 constexpr double kOneEstimate =
     2.0;  // [s] on both cores per request, unless a newer one replaces it
 
@@ -307,7 +308,12 @@ void Soak::keepsUp(const std::function<void(int count)>& choosePage, double most
     const double began = steadyNow(), cpu = cpuSeconds(), estimating = busy.seconds;
     const std::uint64_t received = window->link()->view().frames.received;
     double nextPage = began;
-    for (int page = 0; steadyNow() - began < seconds;) {
+    const auto isGoingOn = [&] {
+        const double lasted = steadyNow() - began;
+        const bool hasEstimated = busy.seconds > estimating;  // a busy machine presses late
+        return lasted < seconds || (!hasEstimated && lasted < kHangGuard);
+    };
+    for (int page = 0; isGoingOn();) {
         runFor(50ms);
         keepExploring();
         if (steadyNow() < nextPage) continue;
