@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <random>
 #include <utility>
@@ -83,15 +84,36 @@ DrivePart drivePart(const RobotModel& robot, const SimulatedDrives& options,
     return part;
 }
 
+/// Returns how many of the first drives have at most so many lines together.
+std::size_t drivesThatFit(const std::vector<DrivePart>& parts, std::size_t most)
+{
+    std::size_t count = 0;
+    for (std::size_t lines = 0; count < parts.size(); ++count)
+        if ((lines += parts[count].lines) > most) break;
+    return count;
+}
+
 template <class Ground>
 Result<DriveRecording> recordingOver(const RobotModel& robot, const SimulatedDrives& options,
                                      const WayGrounds<Ground>& grounds)
 {
     std::vector<DrivePart> parts(static_cast<std::size_t>(grounds.count));
+    std::atomic<std::size_t> lines = 0;
     parallelFor(
         grounds.count,
-        [&](int k) { parts[static_cast<std::size_t>(k)] = drivePart(robot, options, grounds, k); },
+        [&](int k) {
+            if (lines > options.maxLines) return;
+            DrivePart& part = parts[static_cast<std::size_t>(k)];
+            part = drivePart(robot, options, grounds, k);
+            lines += part.lines;
+        },
         options.threads);
+    if (lines > options.maxLines)
+        return Error{
+            fmt::format("the drives have more than {} lines, the most that a file holds: ask "
+                        "for {} drives, and write others to a second file with another seed",
+                        options.maxLines, drivesThatFit(parts, options.maxLines)),
+            0};
     DriveRecording recording;
     recording.parts.reserve(parts.size() + 1);
     recording.parts.push_back(drivesHeader(!options.tracks));
@@ -102,11 +124,6 @@ Result<DriveRecording> recordingOver(const RobotModel& robot, const SimulatedDri
         recording.skipped += part.skipped;
         recording.parts.push_back(std::move(part.text));
     }
-    if (recording.lines > kMaxDriveLines)
-        return Error{
-            fmt::format("the drives have {} lines, and a file holds {}: ask for fewer drives",
-                        recording.lines, kMaxDriveLines),
-            0};
     return recording;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/modelling/simulation/driven_grounds.h"
 #include "core/base/result.h"
+#include "core/learn/data/drive_file.h"
 #include "core/robot/robot_model.h"
 #include "core/sim/way_drive.h"
 
@@ -17,9 +18,10 @@ struct SimulatedDrives {
     int drives = 1;         ///< number over random ground; of a file at most so many
     bool tracks = false;  ///< on ground under two tracks: randomGround(), or a file of ground lines
     WayDriveOptions way{};
-    double softDrives = 0.0;  ///< share of drives over soft ground
-    bool exactTruth = false;  ///< no scanner noise on the true heights
-    int threads = 0;          ///< maximum number; 0: processors()
+    double softDrives = 0.0;                ///< share of drives over soft ground
+    bool exactTruth = false;                ///< no scanner noise on the true heights
+    int threads = 0;                        ///< maximum number; 0: processors()
+    std::size_t maxLines = kMaxDriveLines;  ///< of the file
 };
 
 struct DriveRecording {
@@ -32,7 +34,8 @@ struct DriveRecording {
 
 /// Simulates the drives in parallel. Each has a generator of its own, seeded by the seed and its number:
 /// the result does not depend on the number of threads. Runs are named by the number of the drive, or
-/// of the ground in the file, from 1. Errors: those of the file, and more than kMaxDriveLines lines.
+/// of the ground in the file, from 1. Errors: those of the file, and more
+/// than maxLines lines. Such drives are noticed before all are simulated; the error says how many fit.
 Result<DriveRecording> simulateDrives(const RobotModel& robot, const SimulatedDrives& options);
 
 }  // namespace terratact

@@ -28,6 +28,23 @@ std::string contentOf(const DriveRecording& recording)
     return content;
 }
 
+TEST(SimulatedDrives, tooManyForAFileSayHowManyFit)
+{
+    SimulatedDrives options = fewDrives(false);
+    const auto three = simulateDrives(absolem(), options);
+    ASSERT_TRUE(three);
+    options.maxLines = three->lines;
+    EXPECT_TRUE(simulateDrives(absolem(), options));
+    options.maxLines = three->lines - 1;
+    for (const int drives : {3, 100'000}) {  // so many take hours, unless it ends early
+        options.drives = drives;
+        const auto refused = simulateDrives(absolem(), options);
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().text.find("ask for 2 drives"), std::string::npos)
+            << refused.error().text;
+    }
+}
+
 TEST(SimulatedDrives, threadsDoNotChangeTheFile)
 {
     const TemporaryDirectory dir;
