@@ -25,9 +25,10 @@ namespace terratact {
 namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
-constexpr int kFacts = 6;     // lines
-constexpr int kMinFacts = 4;  // visible lines at the minimum height
-constexpr int kProbeGap = 6;  // [px] between facts and answers
+constexpr int kFacts = 6;           // lines
+constexpr int kMinFacts = 4;        // visible lines at the minimum height
+constexpr int kProbeGap = 6;        // [px] between facts and answers
+constexpr double kFineBand = 0.02;  // [m] a narrower band is shown in millimetres
 
 QString percent(double share)
 {
@@ -281,10 +282,12 @@ void ProbeCard::showFacts()
 void ProbeCard::showWorth()
 {
     const ProbeProposal& p = *displayed();
-    const QString height =
-        narrow_ ? format::signedLengthNumber(p.height, 2) : format::signedLength(p.height, 2);
-    const QString sd = format::length(p.sd, 2);
-    const QString q10 = format::signedLengthNumber(p.q10, 2), q90 = format::signedLength(p.q90, 2);
+    const int decimals = p.q90 - p.q10 < kFineBand ? 3 : 2;
+    const QString height = narrow_ ? format::signedLengthNumber(p.height, decimals)
+                                   : format::signedLength(p.height, decimals);
+    const QString sd = format::length(p.sd, decimals);
+    const QString q10 = format::signedLengthNumber(p.q10, decimals),
+                  q90 = format::signedLength(p.q90, decimals);
     const QString seconds = format::number(p.seconds, 0);
     predicted_->setText(narrow_ ? tr("%1: %2 ± %3").arg(placeText(placeOf(p)), height, sd)
                                 : tr("%1 ± %2 (sd)").arg(height, sd));

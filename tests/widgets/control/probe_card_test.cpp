@@ -53,6 +53,18 @@ struct Probe : testing::Test {
     QList<quint64> approved, refused;
 };
 
+TEST_F(Probe, showsANarrowBandInMillimetres)
+{
+    ProbeProposal known = kProposal;
+    known.height = -0.25;
+    known.sd = 0.0024;
+    known.q10 = -0.253;
+    known.q90 = -0.247;
+    ask(known);
+    EXPECT_TRUE(allText().contains("−0.253 … −0.247 m")) << allText().toStdString();
+    EXPECT_TRUE(allText().contains("± 0.002 m")) << allText().toStdString();
+}
+
 TEST_F(Probe, showsBinGainAndCost)
 {
     card.setProposal(kProposal);
