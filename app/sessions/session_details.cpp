@@ -102,7 +102,7 @@ SessionDetails::~SessionDetails() = default;
 void SessionDetails::show(const ListedSession& session)
 {
     heading_->setText(QStringLiteral("%1 · %2").arg(
-        format::fileName(QString::fromStdString(session.path)), dateText(session.wallTime())));
+        format::fileName(QString::fromStdString(session.path)), beginText(session)));
     text_->setText(factsOf(session).join(QLatin1Char('\n')));
     picture_->show(session.summary ? session.summary->last : std::nullopt);
 }

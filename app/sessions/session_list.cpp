@@ -23,6 +23,19 @@ QString robotText(const ListedSession& session)
     return robot.isEmpty() ? format::sourceName(session.summary->source) : robot;
 }
 
+QDateTime localTime(std::int64_t wallTime)
+{
+    return QDateTime::fromMSecsSinceEpoch(wallTime / kNanosecondsInMillisecond);
+}
+
+/// Returns the begin to the minute, as short as a column wants it.
+QString beginMinute(const ListedSession& session)
+{
+    const QString minute =
+        localTime(session.wallTime()).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    return session.summary ? minute : QStringLiteral("≤ ") + minute;
+}
+
 /// Returns all notes, those of the recording first.
 QStringList notesOf(const ListedSession& session)
 {
@@ -35,7 +48,7 @@ QStringList notesOf(const ListedSession& session)
 
 QString searchText(const ListedSession& session)
 {
-    QStringList all{dateText(session.wallTime()),
+    QStringList all{beginText(session),
                     robotText(session),
                     verdictsText(session),
                     stateText(session),
@@ -112,10 +125,11 @@ QString durationText(double seconds)
     return whole < 3600 ? rest : QStringLiteral("%1:%2").arg(whole / 3600).arg(rest);
 }
 
-QString dateText(std::int64_t wallTime)
+QString beginText(const ListedSession& session)
 {
-    return QDateTime::fromMSecsSinceEpoch(wallTime / kNanosecondsInMillisecond)
-        .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    const QString date =
+        localTime(session.wallTime()).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    return session.summary ? date : SessionList::tr("before %1").arg(date);
 }
 
 void SessionList::clear()
@@ -179,7 +193,8 @@ QVariant SessionList::data(const QModelIndex& index, int role) const
     if (role == kSearchRole) return rows_[static_cast<std::size_t>(index.row())].search;
     if (role == Qt::TextAlignmentRole) return headerData(column, Qt::Horizontal, role);
     if (role == Qt::ToolTipRole) {  // the column may be too narrow for the text
-        const QString text = data(index, Qt::DisplayRole).toString();
+        const QString text =
+            data(index, column == Begins ? Qt::AccessibleTextRole : Qt::DisplayRole).toString();
         return text.isEmpty() ? QVariant() : plainTip(text);
     }
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
@@ -188,7 +203,7 @@ QVariant SessionList::data(const QModelIndex& index, int role) const
     case Ground:
         if (role != Qt::AccessibleTextRole) return {};
         return summary && summary->last ? tr("picture of the last estimate") : tr("no estimate");
-    case Begins: return dateText(session.wallTime()).left(16);  // the minute
+    case Begins: return role == Qt::DisplayRole ? beginMinute(session) : beginText(session);
     case Robot:
         return session.trouble.empty() ? robotText(session) : translatedLine(session.trouble);
     case Lasts: return summary ? durationText(session.seconds()) : QString();

@@ -17,7 +17,8 @@ stateText(const ListedSession& session);  ///< "sealed", "being recorded", "cann
 QString notesText(const ListedSession& session);  ///< "2: at the door; turned here"
 QString sizeText(std::int64_t bytes);             ///< "12.3 MB", "40 kB"
 QString durationText(double seconds);             ///< "1:02:03"
-QString dateText(std::int64_t wallTime);          ///< local date and time, "2026-11-23 12:18:27"
+/// Returns the local begin, "2026-11-23 12:18:27"; where only the last write is known "before 2026-11-23 12:18:27".
+QString beginText(const ListedSession& session);
 
 /// The recordings of a folder as a table model, a row for each.
 class SessionList final : public QAbstractTableModel {

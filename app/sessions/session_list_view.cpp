@@ -131,7 +131,7 @@ void SessionListView::resizeToFont()
     const auto fit = [this](int column, const QStringList& texts) {
         setColumnWidth(column, columnWidthFor(*this, fontMetrics(), column, texts));
     };
-    fit(SessionList::Begins, {QStringLiteral("2026-10-26 14:13")});
+    fit(SessionList::Begins, {QStringLiteral("≤ 2026-10-26 14:13")});
     fit(SessionList::Robot, {QStringLiteral("Absolem 2")});
     fit(SessionList::Lasts, {QStringLiteral("10:00:00")});
     fit(SessionList::Verdicts, {QStringLiteral("1 CLEAR · 1 CANNOT TELL")});

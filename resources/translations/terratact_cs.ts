@@ -10699,6 +10699,10 @@ F1</translation>
         <source>no estimate</source>
         <translation>žádný odhad</translation>
     </message>
+    <message>
+        <source>before %1</source>
+        <translation>před %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SessionListView</name>

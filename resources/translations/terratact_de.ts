@@ -10698,6 +10698,10 @@ F1</translation>
         <source>no estimate</source>
         <translation>keine Schätzung</translation>
     </message>
+    <message>
+        <source>before %1</source>
+        <translation>vor %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SessionListView</name>

@@ -66,7 +66,11 @@ TEST_F(SessionRows, haveTheTextsOfTheirRecordings)
     EXPECT_EQ(durationText(3723.4), "1:02:03");
     EXPECT_EQ(sizeText(12'340), "12.3 kB");
     EXPECT_EQ(sizeText(2'345'000'000), "2.35 GB");
-    EXPECT_EQ(dateText(1'793'000'000'000'000'000).size(), 19);
+    EXPECT_EQ(beginText(list.at(0)).size(), 19);
+    const QString begin = shown()[0], written = shown()[4];
+    EXPECT_EQ(begin, beginText(list.at(0)).left(16)) << "to the minute";
+    EXPECT_TRUE(beginText(list.at(4)).startsWith("before ")) << "its begin was not read";
+    EXPECT_EQ(written, "≤ " + beginText(list.at(4)).mid(7).left(16));
 }
 
 TEST_F(SessionRows, stateNamesWhatIsNotWhole)
@@ -101,7 +105,7 @@ TEST_F(SessionRows, searchFindsEveryWordInAnyColumn)
     EXPECT_EQ(files(), (QStringList{"a.tts", "c.tts"}));
     searched.search("sqlite");
     EXPECT_EQ(files(), QStringList{"broken.tts"});
-    searched.search(dateText(list.at(2).wallTime()).left(16));
+    searched.search(beginText(list.at(2)).left(16));
     EXPECT_EQ(files(), QStringList{"b.tts"}) << "the minute of its begin";
     searched.search("can0 nowhere");
     EXPECT_TRUE(files().empty());
