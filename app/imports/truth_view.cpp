@@ -61,6 +61,7 @@ public:
             drawLine(at(kSliceFront, z), at(kSliceRear, z), label,
                      {-letters.horizontalAdvance(label) - 4.0, 0.35 * letters.ascent()});
         }
+        drawNames();
     }
 
     void drawRobot(const Outline& outline)
@@ -121,6 +122,16 @@ public:
     }
 
 private:
+    void drawNames()
+    {
+        const QRectF inside = area_.adjusted(4.0, 2.0, -4.0, -2.0);
+        painter_.setPen(theme().muted);
+        painter_.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
+                          TruthView::tr("height [%1]").arg(format::lengthUnit()));
+        painter_.drawText(inside, Qt::AlignRight | Qt::AlignBottom,
+                          TruthView::tr("forward from the IMU [%1]").arg(format::lengthUnit()));
+    }
+
     /// Draws a line of the grid, and its label beside its end.
     void drawLine(const QPointF& from, const QPointF& to, const QString& label,
                   const QPointF& beside)

@@ -12741,6 +12741,14 @@ vpředu</translation>
         <source>Slice of the cloud, robot and bins</source>
         <translation>Řez mračnem, robot a body</translation>
     </message>
+    <message>
+        <source>height [%1]</source>
+        <translation>výška [%1]</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [%1]</source>
+        <translation>vpřed od IMU [%1]</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TruthWindow</name>

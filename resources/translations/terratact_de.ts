@@ -12740,6 +12740,14 @@ voraus</translation>
         <source>Slice of the cloud, robot and bins</source>
         <translation>Schnitt der Wolke, Roboter und Felder</translation>
     </message>
+    <message>
+        <source>height [%1]</source>
+        <translation>Höhe [%1]</translation>
+    </message>
+    <message>
+        <source>forward from the IMU [%1]</source>
+        <translation>vorwärts ab IMU [%1]</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TruthWindow</name>
