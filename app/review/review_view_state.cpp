@@ -120,8 +120,6 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
     if (row) {
         viewState.estimate = {&row->estimate, revisionOf(row)};
         viewState.estimateSeconds = row->seconds;
-        if (moment.scene && moment.scene->memory)
-            viewState.memoryWords = translated(memoryWords(row->estimate, &*moment.scene->memory));
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {
@@ -144,6 +142,12 @@ void ReviewViewState::addRemembered(TerrainViewState& viewState, const ReviewMom
     if (isFresh) viewState.remembered = std::move(found.seen);
     viewState.whyNothingRemembered =
         translated(nothingRememberedWords(found.why, isFresh).value_or(Message()));
+    const EstimateRow* const row = moment.estimate.get();
+    if (!row) return;
+    const bool hasMemory = moment.scene && moment.scene->memory;
+    const Message memory =
+        hasMemory ? memoryWords(row->estimate, &*moment.scene->memory) : Message();
+    viewState.memoryWords = translated(found.ledger ? withLedger(memory, *found.ledger) : memory);
 }
 
 void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,

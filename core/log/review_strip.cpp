@@ -32,7 +32,9 @@ ReviewStrip::ViewState ReviewStrip::at(const ReviewMoment& moment)
     if (followed_.empty()) begin(from);
     goTo(moment.time);
     const Strip& strip = followed_.back().strip();
-    return {strip.seen(), strip.whyNothing()};
+    const bool isWhole = from_ < 0;
+    return {strip.seen(), strip.whyNothing(),
+            isWhole ? std::optional(strip.ledger()) : std::nullopt};
 }
 
 void ReviewStrip::begin(SessionTime from)

@@ -22,6 +22,8 @@ public:
     struct ViewState {
         SeenStrip seen{};
         std::optional<SectionStart> why{};  ///< why nothing is seen
+        /// How well bands held up to the moment. Empty: the strip does not begin with the session.
+        std::optional<StripLedger> ledger{};
         bool operator==(const ViewState&) const = default;
     };
     ViewState at(const ReviewMoment& moment);

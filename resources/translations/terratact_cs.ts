@@ -2057,6 +2057,22 @@ značka K</translation>
         <source>a step of more than %1 m up to each horizon has probability %2 %</source>
         <translation>schod vyšší než %1 m až k horizontu každé strany má pravděpodobnost %2 %</translation>
     </message>
+    <message>
+        <source>80 % bands held at later contacts</source>
+        <translation>pásma 80 % platila při pozdějších dotycích</translation>
+    </message>
+    <message>
+        <source>80 % bands held at later probes</source>
+        <translation>pásma 80 % platila při pozdějších sondách</translation>
+    </message>
+    <message>
+        <source>80 % bands held at later passes</source>
+        <translation>pásma 80 % platila při pozdějších přejezdech</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>

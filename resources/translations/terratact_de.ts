@@ -2057,6 +2057,22 @@ Marke K</translation>
         <source>a step of more than %1 m up to each horizon has probability %2 %</source>
         <translation>eine Stufe über %1 m bis zum jeweiligen Horizont hat die Wahrscheinlichkeit %2 %</translation>
     </message>
+    <message>
+        <source>80 % bands held at later contacts</source>
+        <translation>80-%-Bänder hielten bei späteren Kontakten</translation>
+    </message>
+    <message>
+        <source>80 % bands held at later probes</source>
+        <translation>80-%-Bänder hielten bei späteren Sondierungen</translation>
+    </message>
+    <message>
+        <source>80 % bands held at later passes</source>
+        <translation>80-%-Bänder hielten bei späteren Überfahrten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -280,6 +281,24 @@ private:
     const StripPiece& piece_;
 };
 
+/// Returns how many later touches of ground lay in the 80 % band said before, by touch.
+std::vector<std::pair<std::string, std::string>> ledgerFacts(const StripLedger& ledger,
+                                                             const Wording& say)
+{
+    constexpr std::array kLabels{TR_NOOP("Report", "80 % bands held at later contacts"),
+                                 TR_NOOP("Report", "80 % bands held at later probes"),
+                                 TR_NOOP("Report", "80 % bands held at later passes")};
+    std::vector<std::pair<std::string, std::string>> facts;
+    facts.reserve(kScoredBy.size());
+    for (const ScoredBy by : kScoredBy) {
+        const StripScore& score = ledger.of(by);
+        if (score.n == 0) continue;
+        facts.emplace_back(say(kLabels.at(static_cast<std::size_t>(by))),
+                           say({TR_NOOP("Report", "%1 of %2"), score.in80, score.n}));
+    }
+    return facts;
+}
+
 }  // namespace
 
 std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip,
@@ -333,6 +352,7 @@ DocumentPart stripPart(const std::shared_ptr<const Strip>& strip, std::optional<
                                    "kept."),
                  fixed(kBinWidth * static_cast<double>(columns), 1), sections,
                  fixed(kBinWidth * static_cast<double>(StripLimits{}.columns), 0)});
+    if (!only) part.facts = ledgerFacts(strip->ledger(), say);
     return part;
 }
 

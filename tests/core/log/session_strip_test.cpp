@@ -87,6 +87,16 @@ TEST_F(StripOfSession, aClearedEstimateIsTakenOutAndCanComeBack)
     EXPECT_FALSE(at(kLater).sections().empty()) << "that ended the probe alone";
 }
 
+TEST_F(StripOfSession, aReviewCountsTouchesFromTheSessionsBegin)
+{
+    record({});
+    const StripLedger ledger = at(kLater).ledger();
+    EXPECT_GT(ledger.of(ScoredBy::Probe).n, 0U);
+    EXPECT_EQ(reviewed(kLater).ledger, ledger);
+    constexpr double kPart = 2.0 * (ReviewStrip::kShortest + ReviewStrip::kStep);
+    EXPECT_EQ(reviewed(kPart).ledger, std::nullopt) << "its strip begins later";
+}
+
 TEST_F(StripOfSession, gapsAndModelsEndASection)
 {
     record({event(kStood, EventKind::TelemetryGap)});

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "app/figures/report/document_pages.h"
 #include "app/figures/report/mission_log.h"
+#include "core/log/session_strip.h"
 #include "core/log/session_writer.h"
 #include "tests/support/refusal.h"
 #include "tests/support/sessions/recorded_drive.h"
@@ -98,6 +100,25 @@ TEST_F(MissionReport, hasTheSealTheHashesAndTheGround)
     EXPECT_FALSE(partOf(*report, "Strip of felt ground").pictures.empty());
     EXPECT_NE(partOf(*report, "Settings in force").table.rows.at(0).at(2).find("step limit 0.1 m"),
               std::string::npos);
+}
+
+TEST_F(MissionReport, tellsHowManyBandsHeldByTouch)
+{
+    const auto report = missionReportOf(reader);
+    ASSERT_TRUE(report) << report.error().text;
+    const DocumentPart& part = partOf(*report, "Strip of felt ground");
+    SessionStrip followed(reader, *readRobotModel(kRobot));
+    followed.goTo(reader.end());
+    const StripLedger ledger = followed.strip().ledger();
+    ASSERT_GT(ledger.all().n, 0U);
+    for (const auto& [by, words] :
+         {std::pair{ScoredBy::Contact, "contacts"}, std::pair{ScoredBy::Probe, "probes"},
+          std::pair{ScoredBy::Pass, "passes"}}) {
+        const StripScore& score = ledger.of(by);
+        const std::string held = std::to_string(score.in80) + " of " + std::to_string(score.n);
+        EXPECT_EQ(factOf(part, std::string("80 % bands held at later ") + words),
+                  score.n > 0 ? held : std::string());
+    }
 }
 
 TEST_F(MissionReport, isWrittenAsPagesAndAsOneHtmlFile)
