@@ -323,7 +323,14 @@ TEST(Spoken, urgentTextIsAnnouncedOnce)
     EXPECT_EQ(listener.consume(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
 
     ProbeCard card;
-    ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02, .worth = {}, .others = {}};
+    ProbeProposal probe{.id = 3,
+                        .bin = 9,
+                        .height = 0.02,
+                        .q10 = -0.05,
+                        .q90 = 0.09,
+                        .sd = 0.055,
+                        .worth = {},
+                        .others = {}};
     card.setProposal(probe);
     probe.answer = StepVerdict::Blocked;
     card.setProposal(probe);
