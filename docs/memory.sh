@@ -55,7 +55,8 @@ method `trail` estimates a scene from its readings and from that memory. `core/t
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of
-  bins and sides.
+  bins and sides. Each drive gives one of them: the errors along a drive are nearly one error, and bands would be too narrow. The mean error of
+  these scenes does not correct the prediction.
 
 Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`. A warning says
 so. `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.

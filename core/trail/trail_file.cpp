@@ -30,11 +30,12 @@ using model_file::Refused;
 using model_file::require;
 
 constexpr std::int64_t kTrailApplication = 0x54544E31;  // "TTN1"
-constexpr std::int64_t kTrailVersion = 1;
+constexpr std::int64_t kTrailVersion = 2;
 constexpr std::uintmax_t kMaxTrailBytes = std::uintmax_t{32} * 1024 * 1024;
 constexpr Eigen::Index kMaxNetworks = 16, kMaxLayers = 8;
 constexpr Eigen::Index kMaxWidth = 499;  // a blob of the file has at most 1 000 000 bytes
 constexpr double kMostSteps = 32'000.0;
+constexpr std::int64_t kMaxDrive = 1'000'000'000;
 
 static_assert(std::endian::native == std::endian::little,
               "numbers are stored as they lie in memory");
@@ -50,8 +51,9 @@ const std::vector<SqliteTable>& trailSchema()
 {
     static const std::vector<SqliteTable> tables{
         {"error",
-         "CREATE TABLE error(kind TEXT NOT NULL, scene INTEGER NOT NULL, covered_left INTEGER "
-         "NOT NULL, covered_right INTEGER NOT NULL, predicted BLOB NOT NULL, residual BLOB "
+         "CREATE TABLE error(kind TEXT NOT NULL, scene INTEGER NOT NULL, drive INTEGER NOT NULL, "
+         "covered_left INTEGER NOT NULL, covered_right INTEGER NOT NULL, predicted BLOB NOT NULL, "
+         "residual BLOB "
          "NOT NULL) STRICT"},
         {"input", "CREATE TABLE input(kind TEXT NOT NULL, position INTEGER NOT NULL, mean REAL NOT "
                   "NULL, sd REAL NOT NULL) STRICT"},
@@ -125,6 +127,7 @@ void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
     for (Eigen::Index u = 0; u < networks.errors.predicted.cols(); ++u) {
         for (const unsigned mask : networks.errors.covered[static_cast<std::size_t>(u)])
             bytes.add(std::uint64_t{mask});
+        bytes.add(static_cast<std::uint64_t>(networks.errors.drive[static_cast<std::size_t>(u)]));
         bytes.add(stepsOf(networks.errors.predicted.col(u)));
         bytes.add(stepsOf(networks.errors.residual.col(u)));
     }
@@ -133,7 +136,7 @@ void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
 std::string hashOf(const TrailData& data)
 {
     CanonicalBytes bytes;
-    bytes.add(std::string_view("Terratact trail 1"));
+    bytes.add(std::string_view("Terratact trail 2"));
     bytes.add(data.command);
     bytes.add(data.seed);
     for (const auto& [networks, hash] :
@@ -169,15 +172,16 @@ void writeNetworks(SqliteFile& file, const Kind& kind, const TrailNetworks& netw
             row.run();
         }
     const TrailErrors& errors = networks.errors;
-    SqliteStatement error = file.prepare("INSERT INTO error VALUES(?, ?, ?, ?, ?, ?)");
+    SqliteStatement error = file.prepare("INSERT INTO error VALUES(?, ?, ?, ?, ?, ?, ?)");
     for (Eigen::Index u = 0; u < errors.predicted.cols(); ++u) {
         const auto& covered = errors.covered[static_cast<std::size_t>(u)];
         error.bind(0, kind.name);
         error.bind(1, std::int64_t{u});
-        error.bind(2, std::int64_t{covered[0]});
-        error.bind(3, std::int64_t{covered[1]});
-        error.bindBlob(4, stepsOf(errors.predicted.col(u)));
-        error.bindBlob(5, stepsOf(errors.residual.col(u)));
+        error.bind(2, std::int64_t{errors.drive[static_cast<std::size_t>(u)]});
+        error.bind(3, std::int64_t{covered[0]});
+        error.bind(4, std::int64_t{covered[1]});
+        error.bindBlob(5, stepsOf(errors.predicted.col(u)));
+        error.bindBlob(6, stepsOf(errors.residual.col(u)));
         error.run();
     }
 }
@@ -273,6 +277,13 @@ void readLayers(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
     }
 }
 
+int driveOf(std::int64_t number)
+{
+    require(number >= 0 && number <= kMaxDrive,
+            TR_NOOP("core", "the number of a drive is out of range"));
+    return static_cast<int>(number);
+}
+
 unsigned maskOf(std::int64_t number)
 {
     require(number >= 0 && number < (std::int64_t{1} << kBins),
@@ -283,15 +294,17 @@ unsigned maskOf(std::int64_t number)
 void readErrors(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
 {
     std::vector<Eigen::VectorXf> predicted, residual;
-    SqliteStatement row = file.prepare("SELECT scene, covered_left, covered_right, predicted, "
-                                       "residual FROM error WHERE kind = ? ORDER BY scene");
+    SqliteStatement row =
+        file.prepare("SELECT scene, drive, covered_left, covered_right, predicted, "
+                     "residual FROM error WHERE kind = ? ORDER BY scene");
     row.bind(0, kind.name);
     while (row.step()) {
         require(row.integer(0) == std::ssize(predicted) && row.integer(0) < kMaxTrailErrors,
                 TR_NOOP("core", "a scene of the errors is missing, or there are too many"));
-        networks.errors.covered.push_back({maskOf(row.integer(1)), maskOf(row.integer(2))});
-        predicted.push_back(valuesOf(row.blob(3), kind.sides * kBins));
-        residual.push_back(valuesOf(row.blob(4), kind.sides * kBins));
+        networks.errors.drive.push_back(driveOf(row.integer(1)));
+        networks.errors.covered.push_back({maskOf(row.integer(2)), maskOf(row.integer(3))});
+        predicted.push_back(valuesOf(row.blob(4), kind.sides * kBins));
+        residual.push_back(valuesOf(row.blob(5), kind.sides * kBins));
     }
     const Eigen::Index scenes = std::ssize(predicted);
     networks.errors.predicted.resize(kind.sides * kBins, scenes);

@@ -26,7 +26,7 @@ float errorOfSteps(std::int16_t steps);
 /// Largest number of scenes of errors of one kind of networks.
 inline constexpr Eigen::Index kMaxTrailErrors = 12'000;
 
-/// Writes a *.ttn file: one SQLite file (application_id 0x54544E31, user_version 1). It holds the
+/// Writes a *.ttn file: one SQLite file (application_id 0x54544E31, user_version 2). It holds the
 /// inputs' mean and sd, the scales of the bins, the training command and the content's hash. Layers
 /// are 32-bit floats, little endian, column by column. Errors are 16-bit integers in
 /// kTrailErrorStep. The same data give the same bytes. The file is written under a temporary

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -29,7 +30,8 @@ void requireErrors(const TrailErrors& errors, Eigen::Index rows)
 {
     requireOfTrail(errors.predicted.rows() == rows && errors.residual.rows() == rows
                        && errors.predicted.cols() == errors.residual.cols()
-                       && std::ssize(errors.covered) == errors.predicted.cols(),
+                       && std::ssize(errors.covered) == errors.predicted.cols()
+                       && errors.drive.size() == errors.covered.size(),
                    "sizes of the errors disagree");
     requireOfTrail(errors.predicted.cols() >= kTrailNeighbours,
                    "too few scenes tell of the errors");
@@ -49,6 +51,41 @@ struct Similar {
     bool isMirrored = false;
     double squared = 0.0;
 };
+
+/// Returns the rows of the nearest scenes, at most `each` of a place and kTrailNeighbours in all. places: of all rows.
+std::vector<int> nearestOfPlaces(const std::vector<Similar>& all, const std::vector<int>& places,
+                                 int each)
+{
+    std::vector<int> rows(all.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    const auto nearer = [&](int a, int b) {
+        return all[static_cast<std::size_t>(a)].squared < all[static_cast<std::size_t>(b)].squared;
+    };
+    for (std::ptrdiff_t sorted = std::ptrdiff_t{8} * kTrailNeighbours;; sorted *= 4) {
+        const auto end = rows.begin() + std::min(sorted, std::ssize(rows));
+        std::partial_sort(rows.begin(), end, rows.end(), nearer);
+        std::vector<int> chosen =
+            firstOfPlaces({rows.begin(), end}, places, std::size_t{kTrailNeighbours}, each);
+        if (std::ssize(chosen) == kTrailNeighbours || end == rows.end()) return chosen;
+    }
+}
+
+/// Returns the nearest scenes, kTrailNeighbours of as many drives as possible.
+std::vector<Similar> nearestOfDrives(const std::vector<Similar>& all, const std::vector<int>& drive)
+{
+    std::vector<int> places;
+    places.reserve(all.size());
+    for (const Similar& scene : all)
+        places.push_back(2 * drive[static_cast<std::size_t>(scene.scene)]
+                         + (scene.isMirrored ? 1 : 0));
+    std::vector<int> rows;
+    for (int each = 1; std::ssize(rows) < kTrailNeighbours && each <= kTrailNeighbours; ++each)
+        rows = nearestOfPlaces(all, places, each);
+    std::vector<Similar> nearest;
+    nearest.reserve(rows.size());
+    for (const int row : rows) nearest.push_back(all[static_cast<std::size_t>(row)]);
+    return nearest;
+}
 
 /// Returns a column with the upper and the lower half exchanged.
 Eigen::VectorXf exchanged(const Eigen::VectorXf& column)
@@ -84,10 +121,7 @@ std::vector<Similar> nearestScenes(const TrailErrors& errors, const Eigen::Vecto
                  static_cast<double>(squared[u])
                      + otherRegimes(errors.covered[static_cast<std::size_t>(u)], masks, sides)});
     }
-    const auto nearer = [](const Similar& a, const Similar& b) { return a.squared < b.squared; };
-    std::partial_sort(all.begin(), all.begin() + kTrailNeighbours, all.end(), nearer);
-    all.resize(std::size_t{kTrailNeighbours});
-    return all;
+    return nearestOfDrives(all, errors.drive);
 }
 
 /// Returns the mean and the errors in y of a prediction in sd of TrailScale.
@@ -103,8 +137,10 @@ TrailPrediction inSurfaceCoordinates(const TrailNetworks& networks,
         residual.col(k) = (scene.isMirrored ? exchanged(own) : own).cast<double>();
         squared[k] = scene.squared;
     }
-    TrailPrediction prediction{Eigen::VectorXd(predicted.size()),
-                               {residualWeights(squared), std::move(residual)}};
+    const Eigen::VectorXd weight = residualWeights(squared);
+    const Eigen::VectorXd middle = residual * weight;
+    residual.colwise() -= middle;
+    TrailPrediction prediction{Eigen::VectorXd(predicted.size()), {weight, std::move(residual)}};
     for (Eigen::Index i = 0; i < predicted.size(); ++i) {
         const TrailScale& scale = scaleOf(networks, static_cast<int>(i % kBins),
                                           covered[static_cast<std::size_t>(i / kBins)]);

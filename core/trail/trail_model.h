@@ -26,6 +26,7 @@ struct TrailErrors {
     Eigen::MatrixXf predicted;                     ///< mean of the networks
     Eigen::MatrixXf residual;                      ///< truth minus that mean
     std::vector<std::array<unsigned, 2>> covered;  ///< covered bins; of one plane: both equal
+    std::vector<int> drive;                        ///< number of the scene's drive, from 0
 };
 
 /// Networks that predict the eleven bins of one plane or of one side, and their errors.
@@ -48,11 +49,13 @@ struct TrailData {
     std::string planeHash, sideHash;  ///< SHA-256 of the drives, hex; empty: not trained
 };
 
-/// Number of scenes whose errors form those of a scene.
+/// Number of scenes whose errors form those of a scene. They are of as many drives as possible, because
+/// the errors of one drive are nearly one error.
 inline constexpr int kTrailNeighbours = 60;
 
-/// Mean surface coordinates, and the errors of similar scenes: of one plane 11 rows, of both sides
-/// 22, left above right.
+/// Surface coordinates, and the errors of similar scenes around their own mean: of one plane 11
+/// rows, of both sides 22, left above right. That mean does not correct the prediction: on generated
+/// drives, the correction makes larger errors.
 struct TrailPrediction {
     Eigen::VectorXd mean;
     ResidualSample errors;
@@ -76,8 +79,9 @@ public:
     /// (trail_inputs.h). covered: bins of the plane, or of both sides. The errors are those of the
     /// kTrailNeighbours scenes with the nearest predictions:
     ///   D² = Σ (p − p')² + kOtherRegime · bins in another regime
-    /// with the weights of residualWeights(). A scene of two tracks and its mirror image count as
-    /// two. Throw std::invalid_argument if the inputs do not fit, or without such networks. Throw
+    /// with the weights of residualWeights(). Each drive gives one scene. If there are fewer drives than
+    /// scenes wanted, each gives the least number that suffices. A drive of two tracks and its mirror
+    /// image count as two. Throw std::invalid_argument if the inputs do not fit, or without such networks. Throw
     /// RefusedInput if the output is not finite.
     TrailPrediction plane(const Eigen::VectorXd& inputs, unsigned covered) const;
     TrailPrediction sides(const std::array<Eigen::VectorXd, 2>& inputs,

@@ -228,6 +228,8 @@ void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index si
         }
         if (sides == 1) covered[1] = covered[0];
         errors.covered.push_back(covered);
+        errors.drive.push_back(
+            rows.drive[static_cast<std::size_t>(columns[static_cast<std::size_t>(sides * k)])]);
     }
 }
 

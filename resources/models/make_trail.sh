@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes default.ttn, the networks of the method trail that the program ships. They learn from 4000 simulated drives in
-# one plane and 2500 on two tracks over varied ground, three drives of ten on soft ground, with exact heights. Every
+# one plane and 7000 on two tracks over varied ground, three drives of ten on soft ground, with exact heights. Every
 # tenth drive gives the errors. An hour on two cores.
 # Usage: resources/models/make_trail.sh path/to/terratact
 set -eu
@@ -13,7 +13,9 @@ trap 'rm -rf "$folder"' EXIT
     PATH="$(dirname "$terratact"):$PATH"
     ground='--terrain varied --soft-drives 0.3 --exact-truth'
     terratact simulate --drives 4000 $ground --seed 101 --out drives.csv
-    terratact simulate --drives 2500 $ground --tracks --seed 102 --out track_drives.csv
-    OPENBLAS_NUM_THREADS=1 terratact train --drives drives.csv --track-drives track_drives.csv --networks 8 --seed 1 --out default.ttn
+    terratact simulate --drives 3500 $ground --tracks --seed 102 --out track_drives.csv
+    terratact simulate --drives 3500 $ground --tracks --seed 103 --out more_track_drives.csv
+    OPENBLAS_NUM_THREADS=1 terratact train --drives drives.csv --track-drives track_drives.csv --track-drives more_track_drives.csv \
+        --networks 8 --seed 1 --out default.ttn
 )
 mv "$folder/default.ttn" default.ttn

@@ -6047,6 +6047,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>bounded: %1</source>
         <translation>omezeno: %1</translation>
     </message>
+    <message>
+        <source>the number of a drive is out of range</source>
+        <translation>číslo jízdy je mimo rozsah</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -6047,6 +6047,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>bounded: %1</source>
         <translation>begrenzt: %1</translation>
     </message>
+    <message>
+        <source>the number of a drive is out of range</source>
+        <translation>die Nummer einer Fahrt ist außerhalb des Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

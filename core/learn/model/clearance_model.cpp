@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -57,19 +56,6 @@ std::vector<double> sharesOfPlaces(const std::vector<int>& places)
     shares.reserve(places.size());
     for (const int place : places) shares.push_back(1.0 / rows[place]);
     return shares;
-}
-
-/// Returns the first row of each place, in order, at most `wanted`. sorted: rows.
-std::vector<int> onePerPlace(const std::vector<int>& sorted, const std::vector<int>& places,
-                             std::size_t wanted)
-{
-    std::set<int> known;
-    std::vector<int> chosen;
-    for (const int row : sorted) {
-        if (chosen.size() == wanted) break;
-        if (known.insert(places[static_cast<std::size_t>(row)]).second) chosen.push_back(row);
-    }
-    return chosen;
 }
 
 void check(const SurfaceData& model)
@@ -222,7 +208,7 @@ std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
     while (true) {
         const auto end = rows.begin() + std::min<std::ptrdiff_t>(sorted, std::ssize(rows));
         std::partial_sort(rows.begin(), end, rows.end(), before);
-        std::vector<int> chosen = onePerPlace({rows.begin(), end}, places_, kNeighbours);
+        std::vector<int> chosen = firstOfPlaces({rows.begin(), end}, places_, kNeighbours);
         if (std::ssize(chosen) == kNeighbours || end == rows.end()) return chosen;
         sorted *= 2;
     }

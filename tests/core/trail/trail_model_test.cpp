@@ -8,9 +8,11 @@
 #include <fstream>
 #include <memory>
 #include <random>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/infer/estimate/hazards.h"
@@ -101,6 +103,7 @@ TEST(TrailModel, FileKeepsEveryBit)
     EXPECT_EQ(stored->data.command, smallTrail().command);
     const TrailModel before(smallTrail()), after(stored->data);
     const Eigen::VectorXd inputs = Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0);
+    EXPECT_EQ(stored->data.side.errors.drive, smallTrail().side.errors.drive);
     EXPECT_EQ(before.plane(inputs, 0x1FF).mean, after.plane(inputs, 0x1FF).mean);
     EXPECT_EQ(before.plane(inputs, 0x1FF).errors.residual,
               after.plane(inputs, 0x1FF).errors.residual);
@@ -255,8 +258,54 @@ TEST(TrailModel, AMirroredSceneHasAMirroredPrediction)
     const TrailPrediction one = model.sides({a, b}, {0x1FF, 0xFF});
     const TrailPrediction other = model.sides({b, a}, {0xFF, 0x1FF});
     EXPECT_EQ(one.mean.head(kBins), other.mean.tail(kBins));
-    EXPECT_NEAR((one.errors.residual * one.errors.weight).head(kBins).sum(),
-                (other.errors.residual * other.errors.weight).tail(kBins).sum(), 1e-9);
+    EXPECT_NEAR(
+        (one.errors.residual.array().square().matrix() * one.errors.weight).head(kBins).sum(),
+        (other.errors.residual.array().square().matrix() * other.errors.weight).tail(kBins).sum(),
+        1e-9);
+}
+
+/// Returns errors of this many scenes in each of some drives. Each scene errs by the number of its drive.
+TrailErrors errorsByDrive(int drives, int scenes)
+{
+    const Eigen::Index n = Eigen::Index{drives} * scenes;
+    TrailErrors errors{Eigen::MatrixXf::Zero(kBins, n), Eigen::MatrixXf(kBins, n), {}, {}};
+    for (int k = 0; k < static_cast<int>(n); ++k) {
+        errors.drive.push_back(k / scenes);
+        errors.residual.col(k).setConstant(static_cast<float>(k / scenes));
+        errors.covered.push_back({0x1FF, 0x1FF});
+    }
+    return errors;
+}
+
+/// Returns how many different errors form those of a scene, and how many scenes.
+std::pair<std::size_t, Eigen::Index> differentErrors(TrailErrors errors)
+{
+    TrailData data = smallTrail();
+    data.plane.errors = std::move(errors);
+    const Eigen::VectorXd inputs = Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0);
+    const TrailPrediction prediction = TrailModel(data).plane(inputs, 0x1FF);
+    const Eigen::VectorXd last = prediction.errors.residual.row(kBins - 1);
+    return {std::set<double>(last.begin(), last.end()).size(), last.size()};
+}
+
+TEST(TrailModel, EachDriveGivesOneErrorIfThereAreEnough)
+{
+    EXPECT_EQ(differentErrors(errorsByDrive(80, 40)), std::pair(std::size_t{60}, Eigen::Index{60}));
+    EXPECT_EQ(differentErrors(errorsByDrive(60, 1)), std::pair(std::size_t{60}, Eigen::Index{60}));
+}
+
+TEST(TrailModel, FewDrivesGiveAnEqualShareOfTheErrors)
+{
+    EXPECT_EQ(differentErrors(errorsByDrive(20, 40)), std::pair(std::size_t{20}, Eigen::Index{60}));
+    EXPECT_EQ(differentErrors(errorsByDrive(2, 40)), std::pair(std::size_t{2}, Eigen::Index{60}));
+}
+
+TEST(TrailModel, ErrorsSurroundThePrediction)
+{
+    const TrailModel model(smallTrail());
+    const TrailPrediction plane =
+        model.plane(Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0), 0x1FF);
+    EXPECT_LT((plane.errors.residual * plane.errors.weight).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(TrailModel, MirroredReadingsHaveMirroredInputs)
