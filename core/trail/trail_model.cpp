@@ -65,7 +65,7 @@ std::vector<int> nearestOfPlaces(const std::vector<Similar>& all, const std::vec
         const auto end = rows.begin() + std::min(sorted, std::ssize(rows));
         std::partial_sort(rows.begin(), end, rows.end(), nearer);
         std::vector<int> chosen =
-            firstOfPlaces({rows.begin(), end}, places, std::size_t{kTrailNeighbours}, each);
+            fewOfEachPlace({rows.begin(), end}, places, std::size_t{kTrailNeighbours}, each);
         if (std::ssize(chosen) == kTrailNeighbours || end == rows.end()) return chosen;
     }
 }

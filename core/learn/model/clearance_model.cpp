@@ -208,7 +208,7 @@ std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
     while (true) {
         const auto end = rows.begin() + std::min<std::ptrdiff_t>(sorted, std::ssize(rows));
         std::partial_sort(rows.begin(), end, rows.end(), before);
-        std::vector<int> chosen = firstOfPlaces({rows.begin(), end}, places_, kNeighbours);
+        std::vector<int> chosen = fewOfEachPlace({rows.begin(), end}, places_, kNeighbours);
         if (std::ssize(chosen) == kNeighbours || end == rows.end()) return chosen;
         sorted *= 2;
     }

@@ -12,8 +12,8 @@ double nthSmallest(const Eigen::VectorXd& values, int n)
     return least.back();
 }
 
-std::vector<int> firstOfPlaces(std::span<const int> sorted, std::span<const int> places,
-                               std::size_t wanted, int perPlace)
+std::vector<int> fewOfEachPlace(std::span<const int> sorted, std::span<const int> places,
+                                std::size_t wanted, int perPlace)
 {
     std::unordered_map<int, int> known;
     std::vector<int> chosen;

@@ -22,8 +22,8 @@ Eigen::VectorXd residualWeights(const Eigen::VectorXd& squared);
 
 /// Returns the first rows of each place, in order: at most perPlace of one place, and at most `wanted`.
 /// sorted: rows; places: of every row.
-std::vector<int> firstOfPlaces(std::span<const int> sorted, std::span<const int> places,
-                               std::size_t wanted, int perPlace = 1);
+std::vector<int> fewOfEachPlace(std::span<const int> sorted, std::span<const int> places,
+                                std::size_t wanted, int perPlace = 1);
 
 /// Returns the n-th smallest value, n from 1; the largest if there are fewer.
 double nthSmallest(const Eigen::VectorXd& values, int n);
