@@ -271,7 +271,7 @@ TrailErrors errorsByDrive(int drives, int scenes)
     TrailErrors errors{Eigen::MatrixXf::Zero(kBins, n), Eigen::MatrixXf(kBins, n), {}, {}};
     for (int k = 0; k < static_cast<int>(n); ++k) {
         errors.drive.push_back(k / scenes);
-        errors.residual.col(k).setConstant(static_cast<float>(k / scenes));
+        errors.residual.col(k).setConstant(static_cast<float>(errors.drive.back()));
         errors.covered.push_back({0x1FF, 0x1FF});
     }
     return errors;
