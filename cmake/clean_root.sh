@@ -24,7 +24,7 @@ step() {
 remove_root() {
   [ -n "$root" ] || return 0
   local folder
-  for folder in proc dev sys root/.cache/ccache; do
+  for folder in proc dev/pts dev sys root/.cache/ccache; do
     ! mountpoint -q "$root/$folder" || umount "$root/$folder" ||
       { echo "still in use, and left: $root/$folder" >&2; return 1; }
   done

@@ -18,6 +18,7 @@ for release; do
   : >"$log"
   make_root
   mount --bind /dev "$root/dev"
+  mount --bind /dev/pts "$root/dev/pts"
   mount -t sysfs sysfs "$root/sys"
   copy_sources
   step "./run.sh --headless" inside $sources/run.sh --headless

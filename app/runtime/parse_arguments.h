@@ -36,13 +36,25 @@ inline void refuseImpossibleNumbers(const CLI::App& app)
     for (const CLI::App* const below : app.get_subcommands()) refuseImpossibleNumbers(*below);
 }
 
+/// Parses the arguments, and throws for impossible numbers. Since CLI11 2.4, some of these fail while they are parsed,
+/// without a reason.
+inline void parseNumbers(CLI::App& app, int argc, char** argv)
+{
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ConversionError&) {
+        refuseImpossibleNumbers(app);
+        throw;
+    }
+    refuseImpossibleNumbers(app);
+}
+
 /// Parses the arguments of a program. Returns the exit status if it is to end: 0 after its help or version was printed,
 /// kWrongArguments after a complaint. Both may quote arguments, and are printed as plain text.
 inline std::optional<int> parseArguments(CLI::App& app, int argc, char** argv)
 {
     try {
-        app.parse(argc, argv);
-        refuseImpossibleNumbers(app);
+        parseNumbers(app, argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, complaint;
