@@ -5,8 +5,10 @@
 #include <QStyleFactory>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionMenuItem>
+#include <QStyleOptionSlider>
 #include <QStyleOptionSpinBox>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/base/palette.h"
 #include "widgets/base/style_sheet.h"
@@ -89,6 +91,35 @@ void drawStep(const QStyle& style, const QStyleOptionSpinBox& box, QStyle::SubCo
                         &painter, widget);
 }
 
+/// Draws a scroll bar: a groove, an arrow at each end, and the slider with a frame.
+void drawScrollBar(const QStyle& style, const QStyleOptionSlider& bar, QPainter& painter,
+                   const QWidget* widget)
+{
+    const auto part = [&](QStyle::SubControl which) {
+        return style.subControlRect(QStyle::CC_ScrollBar, &bar, which, widget);
+    };
+    const auto colourOf = [&](QStyle::SubControl which) {
+        const bool isUnder = bar.activeSubControls & which;
+        return areaOf(theme().button, isUnder && (bar.state & QStyle::State_MouseOver),
+                      isUnder && (bar.state & QStyle::State_Sunken));
+    };
+    painter.fillRect(bar.rect, mixed(theme().window, theme().text, 0.06));
+    const bool isLevel = bar.orientation == Qt::Horizontal;
+    const bool toLeft = isLevel && bar.direction == Qt::RightToLeft;
+    const auto less = isLevel ? QStyle::PE_IndicatorArrowLeft : QStyle::PE_IndicatorArrowUp;
+    const auto more = isLevel ? QStyle::PE_IndicatorArrowRight : QStyle::PE_IndicatorArrowDown;
+    for (const auto& [which, arrow] :
+         {std::pair{QStyle::SC_ScrollBarSubLine, toLeft ? more : less},
+          std::pair{QStyle::SC_ScrollBarAddLine, toLeft ? less : more}}) {
+        painter.fillRect(part(which), colourOf(which));
+        const QStyleOption mark = arrowIn(part(which), bar);
+        style.drawPrimitive(arrow, &mark, &painter, widget);
+    }
+    const QRect slider = part(QStyle::SC_ScrollBarSlider);
+    painter.fillRect(slider, colourOf(QStyle::SC_ScrollBarSlider));
+    drawFrame(painter, slider);
+}
+
 bool hasArrows(const QStyleOption* option)
 {
     const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
@@ -129,6 +160,10 @@ void TargetStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
         const QRect arrow = subControlRect(control, option, SC_ComboBoxArrow, widget);
         return drawChoice(*proxy(), *choice, arrow, *painter, widget);
     }
+    // Qt's own has a white line, which the night theme must not show.
+    if (const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
+        bar && control == CC_ScrollBar)
+        return drawScrollBar(*proxy(), *bar, *painter, widget);
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     if (control == CC_SpinBox && hasArrows(option))
         for (const SubControl part : {SC_SpinBoxDown, SC_SpinBoxUp})

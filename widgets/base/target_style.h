@@ -13,7 +13,7 @@ public:
     QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
                          const QWidget* widget) const override;
     /// Draws a number box with the frame of a line of text and its arrows as two buttons. Draws a list to choose from
-    /// like a button.
+    /// like a button, and a scroll bar in the theme's colours.
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                             QPainter* painter, const QWidget* widget) const override;
     /// Draws a frame around the box of a check box, which is visible without a check too.

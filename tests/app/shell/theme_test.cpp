@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "app/console/main_window.h"
@@ -56,6 +57,27 @@ TEST_F(Look, aNumberBoxHasAVisibleFrameInEveryTheme)
             EXPECT_EQ(image.pixelColor(edge), theme().muted) << edge.x() << ' ' << edge.y();
         QCheckBox check;
         EXPECT_GT(gui::pixelsOf(gui::painted(check), theme().muted), 20) << "not checked";
+    }
+    applyLook(*qApp);
+}
+
+TEST_F(Look, aScrollBarHasAVisibleSliderInEveryTheme)
+{
+    for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        applyLook(*qApp, name);
+        for (const Qt::Orientation along : {Qt::Horizontal, Qt::Vertical}) {
+            QScrollBar bar(along);
+            bar.setRange(0, 100);
+            bar.setPageStep(100);
+            bar.resize(along == Qt::Horizontal ? QSize(300, 16) : QSize(16, 300));
+            const QImage image = gui::painted(bar);
+            const auto at = [&](int across) {
+                return along == Qt::Horizontal ? QPoint(100, across) : QPoint(across, 100);
+            };
+            EXPECT_EQ(image.pixelColor(at(8)), theme().button.area);
+            for (const int edge : {0, 15})
+                EXPECT_EQ(image.pixelColor(at(edge)), theme().muted) << along << ' ' << edge;
+        }
     }
     applyLook(*qApp);
 }
