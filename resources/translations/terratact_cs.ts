@@ -7238,10 +7238,6 @@ F1</translation>
         <translation>Ujetá vzdálenost od posledního odhadu</translation>
     </message>
     <message>
-        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground</source>
-        <translation>Terén je ohmatán až sem, vpřed od IMU, na obou stranách; „!“ tam, kde pásy opouštějí ohmataný terén</translation>
-    </message>
-    <message>
         <source>● CONTACT</source>
         <translation>● KONTAKT</translation>
     </message>
@@ -7260,6 +7256,14 @@ F1</translation>
     <message>
         <source>Along the tracks, over the last 0.3 s</source>
         <translation>Podél pásů, za posledních 0,3 s</translation>
+    </message>
+    <message>
+        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground, &quot;none&quot; where nothing ahead is felt</source>
+        <translation>Terén je ohmatán až sem, vpřed od IMU, na obou stranách; „!“ tam, kde pásy opouštějí ohmataný terén, „nikam“ tam, kde vpředu není nic ohmatáno</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nikam</translation>
     </message>
 </context>
 <context>

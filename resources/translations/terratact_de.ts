@@ -7238,10 +7238,6 @@ F1</translation>
         <translation>Gefahrene Strecke seit der letzten Schätzung</translation>
     </message>
     <message>
-        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground</source>
-        <translation>Der Boden ist bis hier ertastet, vorwärts ab der IMU, auf beiden Seiten; „!“, wo die Ketten ertasteten Boden verlassen</translation>
-    </message>
-    <message>
         <source>● CONTACT</source>
         <translation>● KONTAKT</translation>
     </message>
@@ -7260,6 +7256,14 @@ F1</translation>
     <message>
         <source>Along the tracks, over the last 0.3 s</source>
         <translation>Entlang der Ketten, über die letzten 0,3 s</translation>
+    </message>
+    <message>
+        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground, &quot;none&quot; where nothing ahead is felt</source>
+        <translation>Der Boden ist bis hier ertastet, vorwärts ab der IMU, auf beiden Seiten; „!“, wo die Ketten ertasteten Boden verlassen, „nichts“, wo voraus nichts ertastet ist</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>

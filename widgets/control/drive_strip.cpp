@@ -40,7 +40,7 @@ QString tipOf(DriveStrip::Cell cell)
     case DriveStrip::FeltTo:
         return DriveStrip::tr(
             "The ground is felt up to here, forward from the IMU, on both sides; \"!\" where the "
-            "tracks are about to leave felt ground");
+            "tracks are about to leave felt ground, \"none\" where nothing ahead is felt");
     default: return {};
     }
 }
@@ -97,7 +97,8 @@ DriveCell::Widest widestOf(DriveStrip::Cell cell)
     }
     case DriveStrip::Speed: return {{name}, {name}, {DriveText::speed(-0.88)}, {}};
     case DriveStrip::Way: return {{name}, {name}, {format::length(88.88, 2)}, {}};
-    case DriveStrip::FeltTo: return {{ended}, {ended}, {format::signedLength(8.88, 2)}, {}};
+    case DriveStrip::FeltTo:
+        return {{ended}, {ended}, {format::signedLength(8.88, 2), DriveStrip::tr("none")}, {}};
     case DriveStrip::kCells: break;
     }
     return {};
@@ -240,16 +241,18 @@ void DriveStrip::showContact(const std::optional<FlipperContacts>& contact)
 void DriveStrip::showDistances(const DriveViewState& viewState)
 {
     const auto show = [&](Cell cell, const std::optional<double>& value, const QString& text,
-                          const QString& mark = {}) {
+                          const QString& mark = {},
+                          const QString& nothing = QString(format::kNothing)) {
         const QString caption = withMark(nameOf(cell), mark);
-        const QString shown = value ? text : QString(format::kNothing);
+        const QString shown = value ? text : nothing;
         this->show(cell, {.caption = caption, .shortCaption = caption, .value = shown},
                    withMark(shown, mark));
     };
     show(Speed, viewState.speed, DriveText::speed(viewState.speed.value_or(0.0)));
     show(Way, viewState.way, format::length(viewState.way.value_or(0.0), 2));
     show(FeltTo, viewState.feltTo, format::signedLength(viewState.feltTo.value_or(0.0), 2),
-         viewState.feltEnds ? QStringLiteral("!") : QString());
+         viewState.feltEnds ? QStringLiteral("!") : QString(),
+         viewState.feltEnds ? tr("none") : QString(format::kNothing));
 }
 
 QString DriveStrip::text(Cell cell) const

@@ -157,6 +157,10 @@ TEST_F(DriveStripShown, marksThatFeltGroundEnds)
     EXPECT_EQ(strip.caption(DriveStrip::FeltTo), "felt to");
     strip.setViewState({.way = 0.4, .feltTo = 0.2, .feltEnds = true});
     EXPECT_EQ(strip.caption(DriveStrip::FeltTo), "felt to !");
+    strip.setViewState({.way = 0.4, .feltEnds = true});
+    EXPECT_EQ(strip.text(DriveStrip::FeltTo), "none") << "known, but not felt";
+    strip.setViewState({});
+    EXPECT_EQ(strip.text(DriveStrip::FeltTo), "--") << "not known";
 }
 
 TEST_F(DriveStripShown, leavesOutLimitsAndThenWords)
