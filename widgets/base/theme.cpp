@@ -47,11 +47,16 @@ QPalette paletteOf(const Theme& t)
     return colours;
 }
 
-/// Qt 6.4 restyles each widget once per ancestor when one style sheet replaces another. With later
-/// versions a widget that does not see the old sheet go keeps its text colours (seen with 6.8).
-constexpr bool kSheetIsDroppedFirst = QT_VERSION < QT_VERSION_CHECK(6, 5, 0);
+/// Keeps Qt's record of the colours that widgets had before a style sheet. Qt deletes it with the last sheet in use;
+/// from Qt 6.5 on, widgets would then keep the text colours of the sheet before.
+void keepColoursOfWidgets()
+{
+    static QWidget* const withSheet = new QWidget;
+    withSheet->setStyleSheet(QStringLiteral("QWidget {}"));
+}
 
-/// Removes the style sheet without notifying widgets. The next sheet notifies each widget once.
+/// Removes the style sheet without notifying widgets. The next sheet notifies each widget once; a sheet that replaces
+/// another notifies each widget once per ancestor.
 void dropSheet(QApplication& application)
 {
     QWidgetList untold;
@@ -105,10 +110,12 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     keepPlotsPlain();
     markFocus(application);
     tellHiddenAreasLate(application);
-    // A style sheet wraps the style; a second style would be wrapped, too.
-    if (first) QApplication::setStyle(new TargetStyle);
     // Without a style sheet the font costs half. Each of the calls below visits every widget.
-    if (!first && kSheetIsDroppedFirst) {
+    if (first) {
+        // A style sheet wraps the style; a second style would be wrapped, too.
+        QApplication::setStyle(new TargetStyle);
+        keepColoursOfWidgets();
+    } else {
         postponeHiddenPages(application);
         dropSheet(application);
     }
