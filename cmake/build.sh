@@ -17,14 +17,19 @@ fail() {
   exit 1
 }
 
-# CMake's own re-runs do not read presets, and a build made for a few targets lacks the tests. --fresh: if a preset names
-# another compiler, CMake keeps nothing else of it in an old cache.
-without_tests=()
-[ $# = 0 ] || without_tests=(-D TERRATACT_TESTS=OFF)
-if [ ! "$dir/build.ninja" -nt CMakePresets.json ] ||
-  { [ $# = 0 ] && grep -q '^TERRATACT_TESTS:.*=OFF' "$dir/CMakeCache.txt"; }; then
+# CMake's own re-runs do not read presets. --fresh: if a preset names another compiler, CMake keeps nothing else of it in
+# an old cache. A build made for a few targets lacks the tests; they are added to it, and what is built is kept.
+configure() {
   echo "building preset $preset (the first time takes minutes)"
-  cmake --preset "$preset" --fresh "${without_tests[@]}" >"$log" 2>&1 || fail "configuring"
+  cmake --preset "$preset" "$@" >"$log" 2>&1 || fail "configuring"
+}
+without_tests='^TERRATACT_TESTS:.*=OFF'
+if [ ! "$dir/build.ninja" -nt CMakePresets.json ]; then
+  # shellcheck disable=SC2046
+  configure --fresh $([ $# = 0 ] || echo -D TERRATACT_TESTS=OFF)
+elif [ $# = 0 ] && grep -q "$without_tests" "$dir/CMakeCache.txt"; then
+  sed -i "/$without_tests/d" "$dir/CMakeCache.txt"  # now the preset decides
+  configure
 fi
 build=(--preset "$preset")
 [ $# = 0 ] || build=("$dir" --target "$@")
