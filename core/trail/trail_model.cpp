@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -52,24 +51,6 @@ struct Similar {
     double squared = 0.0;
 };
 
-/// Returns the rows of the nearest scenes, at most `each` of a place and kTrailNeighbours in all. places: of all rows.
-std::vector<int> nearestOfPlaces(const std::vector<Similar>& all, const std::vector<int>& places,
-                                 int each)
-{
-    std::vector<int> rows(all.size());
-    std::iota(rows.begin(), rows.end(), 0);
-    const auto nearer = [&](int a, int b) {
-        return all[static_cast<std::size_t>(a)].squared < all[static_cast<std::size_t>(b)].squared;
-    };
-    for (std::ptrdiff_t sorted = std::ptrdiff_t{8} * kTrailNeighbours;; sorted *= 4) {
-        const auto end = rows.begin() + std::min(sorted, std::ssize(rows));
-        std::partial_sort(rows.begin(), end, rows.end(), nearer);
-        std::vector<int> chosen =
-            fewOfEachPlace({rows.begin(), end}, places, std::size_t{kTrailNeighbours}, each);
-        if (std::ssize(chosen) == kTrailNeighbours || end == rows.end()) return chosen;
-    }
-}
-
 /// Returns the nearest scenes, kTrailNeighbours of as many drives as possible.
 std::vector<Similar> nearestOfDrives(const std::vector<Similar>& all, const std::vector<int>& drive)
 {
@@ -78,9 +59,12 @@ std::vector<Similar> nearestOfDrives(const std::vector<Similar>& all, const std:
     for (const Similar& scene : all)
         places.push_back(2 * drive[static_cast<std::size_t>(scene.scene)]
                          + (scene.isMirrored ? 1 : 0));
+    const auto isNearer = [&](int a, int b) {
+        return all[static_cast<std::size_t>(a)].squared < all[static_cast<std::size_t>(b)].squared;
+    };
     std::vector<int> rows;
     for (int each = 1; std::ssize(rows) < kTrailNeighbours && each <= kTrailNeighbours; ++each)
-        rows = nearestOfPlaces(all, places, each);
+        rows = nearestOfPlaces(places, isNearer, std::size_t{kTrailNeighbours}, each);
     std::vector<Similar> nearest;
     nearest.reserve(rows.size());
     for (const int row : rows) nearest.push_back(all[static_cast<std::size_t>(row)]);

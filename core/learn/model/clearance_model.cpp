@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -196,22 +195,13 @@ template <class Differs>
 std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
                                          Differs differs) const
 {
-    std::vector<int> rows(coveredBins_.size());
-    std::iota(rows.begin(), rows.end(), 0);
-    const auto before = [&](int a, int b) {
+    const auto isBefore = [&](int a, int b) {
         const bool differsA = differs(a);
         const bool differsB = differs(b);
         if (differsA != differsB) return differsB;
         return squaredDistance[a] < squaredDistance[b];
     };
-    std::ptrdiff_t sorted = kNeighbours;
-    while (true) {
-        const auto end = rows.begin() + std::min<std::ptrdiff_t>(sorted, std::ssize(rows));
-        std::partial_sort(rows.begin(), end, rows.end(), before);
-        std::vector<int> chosen = fewOfEachPlace({rows.begin(), end}, places_, kNeighbours);
-        if (std::ssize(chosen) == kNeighbours || end == rows.end()) return chosen;
-        sorted *= 2;
-    }
+    return nearestOfPlaces(places_, isBefore, kNeighbours);
 }
 
 ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,

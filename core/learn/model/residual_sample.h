@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,22 @@ Eigen::VectorXd residualWeights(const Eigen::VectorXd& squared);
 /// sorted: rows; places: of every row.
 std::vector<int> fewOfEachPlace(std::span<const int> sorted, std::span<const int> places,
                                 std::size_t wanted, int perPlace = 1);
+
+/// Returns the first rows of an order, at most perPlace of one place, and at most `wanted`. places: of
+/// every row. isBefore(a, b): row a comes before row b.
+template <class Order>
+std::vector<int> nearestOfPlaces(std::span<const int> places, Order isBefore, std::size_t wanted,
+                                 int perPlace = 1)
+{
+    std::vector<int> rows(places.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    for (std::size_t sorted = 2 * wanted;; sorted *= 2) {
+        const auto end = rows.begin() + static_cast<std::ptrdiff_t>(std::min(sorted, rows.size()));
+        std::partial_sort(rows.begin(), end, rows.end(), isBefore);
+        std::vector<int> chosen = fewOfEachPlace({rows.begin(), end}, places, wanted, perPlace);
+        if (chosen.size() == wanted || end == rows.end()) return chosen;
+    }
+}
 
 /// Returns the n-th smallest value, n from 1; the largest if there are fewer.
 double nthSmallest(const Eigen::VectorXd& values, int n);
