@@ -203,7 +203,8 @@ void Canvas::polygon(const std::vector<Point>& points, Colour fill, const Stroke
     stroke(outline);
 }
 
-void Canvas::marker(Shape shape, Point c, double size, Colour fill, const Stroke& outline)
+void Canvas::marker(Shape shape, Point c, double size, Colour fill, const Stroke& outline,
+                    std::optional<Colour> upper)
 {
     const double r = 0.5 * size;
     switch (shape) {
@@ -227,6 +228,17 @@ void Canvas::marker(Shape shape, Point c, double size, Colour fill, const Stroke
     cairo_close_path(context_);
     apply(fill);
     cairo_fill_preserve(context_);
+    if (upper) {
+        cairo_save(context_);
+        const std::unique_ptr<cairo_path_t, decltype(&cairo_path_destroy)> whole(
+            cairo_copy_path(context_), cairo_path_destroy);
+        cairo_clip(context_);
+        cairo_rectangle(context_, c.x - r, c.y - r, 2.0 * r, r);
+        apply(*upper);
+        cairo_fill(context_);
+        cairo_restore(context_);
+        cairo_append_path(context_, whole.get());
+    }
     stroke(outline);
 }
 

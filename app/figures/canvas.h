@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,8 +51,9 @@ public:
     void line(Point from, Point to, const Stroke& stroke);
     void polyline(const std::vector<Point>& points, const Stroke& stroke);
     void polygon(const std::vector<Point>& points, Colour fill, const Stroke& stroke);
-    /// Draws a marker filled with `fill` and outlined; `size`: width [px].
-    void marker(Shape shape, Point centre, double size, Colour fill, const Stroke& outline);
+    /// Draws a marker filled with `fill` and outlined; `size`: width [px]. `upper`: another fill of the upper half.
+    void marker(Shape shape, Point centre, double size, Colour fill, const Stroke& outline,
+                std::optional<Colour> upper = {});
     /// Draws text with its base line at `at`; `upwards` turns it by 90° to read upwards.
     void text(Point at, std::string_view words, const TextStyle& style, bool upwards = false);
     double textWidth(std::string_view words, const TextStyle& style);

@@ -30,7 +30,6 @@ struct Look {
     Shape shape;
     double size;
     Colour colour;
-    bool open = false;
 };
 
 /// Returns the style of the console's mark, with its bar pattern.
@@ -41,7 +40,7 @@ Look styleOf(Provenance provenance)
     case Provenance::Contact: return {Shape::Square, 13.0, kContact};
     case Provenance::Constrained: return {Shape::TriangleDown, 14.0, kSampled};
     case Provenance::Sampled: return {Shape::Circle, 11.0, kSampled};
-    case Provenance::PriorOnly: return {Shape::Diamond, 16.0, kPrior, true};
+    case Provenance::PriorOnly: return {Shape::Diamond, 16.0, kPrior};
     }
     return {};
 }
@@ -263,13 +262,14 @@ private:
         const Point at = axes_.at(binCentre(bin), input_.estimate.height[i]);
         if (!isUnfeltAhead(input_.estimate, bin))
             drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, barStroke(known));
-        drawMark(canvas_, styleOf(known), at);
+        drawMark(canvas_, styleOf(known), markFill(input_.estimate, bin), at);
     }
 
-    static void drawMark(Canvas& canvas, const Look& look, Point at)
+    static void drawMark(Canvas& canvas, const Look& look, MarkFill fill, Point at)
     {
-        canvas.marker(look.shape, at, look.size, look.open ? kWhite : look.colour,
-                      {look.colour, 2.0, {}});
+        canvas.marker(look.shape, at, look.size, fill == MarkFill::Open ? kWhite : look.colour,
+                      {look.colour, 2.0, {}},
+                      fill == MarkFill::LowerHalf ? std::optional(kWhite) : std::nullopt);
     }
 
     /// Draws a dashed line from the plot's top to the bin of the proposed probe.
@@ -296,11 +296,12 @@ private:
             entries.push_back(
                 {say(tableWord(name(known))), [known](Canvas& canvas, Point at) {
                      const Look look = styleOf(known);
-                     if (look.open)
+                     const bool open = known == Provenance::PriorOnly;
+                     if (open)
                          canvas.fillRectangle({at.x - 15.0, at.y - 11.0},
                                               {at.x + 15.0, at.y + 11.0}, kPriorZone);
                      canvas.line({at.x - 15.0, at.y}, {at.x + 15.0, at.y}, barStroke(known));
-                     drawMark(canvas, look, at);
+                     drawMark(canvas, look, open ? MarkFill::Open : MarkFill::Full, at);
                  }});
         }
         addLine(entries, say(TR_NOOP("Report", "mean")), {kSampled, 2.5, {}});

@@ -6,6 +6,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/base/palette.h"
 #include "widgets/terrain/provenance_text.h"
@@ -38,18 +39,28 @@ QPen barPen(Provenance provenance, const QColor& colour)
 ProvenanceMark markOf(Provenance provenance)
 {
     const Theme& t = theme();
-    const auto mark = [provenance](QwtSymbol::Style shape, const QColor& line, const QColor& fill,
-                                   int size) {
-        return ProvenanceMark{shape, line, fill, size, barPen(provenance, line)};
+    const auto mark = [provenance](QwtSymbol::Style shape, const QColor& line, int size) {
+        return ProvenanceMark{shape, line, size, barPen(provenance, line)};
     };
     switch (provenance) {
-    case Provenance::Arm: return mark(QwtSymbol::Triangle, t.arm, t.arm, 13);
-    case Provenance::Contact: return mark(QwtSymbol::Rect, t.contact, t.contact, 11);
-    case Provenance::Constrained: return mark(QwtSymbol::DTriangle, t.sampled, t.sampled, 11);
-    case Provenance::Sampled: return mark(QwtSymbol::Ellipse, t.sampled, t.sampled, 10);
+    case Provenance::Arm: return mark(QwtSymbol::Triangle, t.arm, 13);
+    case Provenance::Contact: return mark(QwtSymbol::Rect, t.contact, 11);
+    case Provenance::Constrained: return mark(QwtSymbol::DTriangle, t.sampled, 11);
+    case Provenance::Sampled: return mark(QwtSymbol::Ellipse, t.sampled, 10);
     case Provenance::PriorOnly: break;
     }
-    return mark(QwtSymbol::Diamond, t.prior, t.card, 14);
+    return mark(QwtSymbol::Diamond, t.prior, 14);
+}
+
+QBrush brushOf(MarkFill fill, const QColor& colour)
+{
+    if (fill != MarkFill::LowerHalf) return fill == MarkFill::Full ? colour : theme().card;
+    constexpr double kHalf = 0.5, kEdge = 1e-3;
+    QLinearGradient halves(0.0, 0.0, 0.0, 1.0);
+    halves.setCoordinateMode(QGradient::ObjectMode);
+    halves.setColorAt(kHalf, theme().card);
+    halves.setColorAt(kHalf + kEdge, colour);
+    return halves;
 }
 
 PatternBar::PatternBar(const QPen& pen) : QwtIntervalSymbol(QwtIntervalSymbol::Bar)
@@ -80,6 +91,23 @@ MarkCurve::MarkCurve(Provenance provenance)
 {
     setStyle(QwtPlotCurve::NoCurve);
     setRenderHint(QwtPlotItem::RenderAntialiased);
+}
+
+void MarkCurve::setMarks(const QVector<QPointF>& points, std::vector<MarkFill> fills)
+{
+    fills_ = std::move(fills);
+    setSamples(points);
+}
+
+void MarkCurve::drawSymbols(QPainter* painter, const QwtSymbol& symbol, const QwtScaleMap& x,
+                            const QwtScaleMap& y, const QRectF& canvas, int from, int to) const
+{
+    for (int i = from; i <= to; ++i) {
+        const QwtSymbol mark(symbol.style(),
+                             brushOf(fills_[static_cast<std::size_t>(i)], symbol.pen().color()),
+                             symbol.pen(), symbol.size());
+        QwtPlotCurve::drawSymbols(painter, mark, x, y, canvas, i, i);
+    }
 }
 
 QwtGraphic MarkCurve::legendIcon(int /*index*/, const QSizeF& /*size*/) const

@@ -4,10 +4,12 @@
 #include <qwt_plot_curve.h>
 #include <qwt_symbol.h>
 
+#include <QBrush>
 #include <QPen>
 #include <QString>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/infer/estimate/provenance.h"
 
@@ -17,11 +19,14 @@ namespace terratact {
 /// not the only cue.
 struct ProvenanceMark {
     QwtSymbol::Style shape;
-    QColor line, fill;
+    QColor line;
     int size = 0;  ///< [px] at 100 %
     QPen bar;      ///< pen as returned by barPattern()
 };
 ProvenanceMark markOf(Provenance provenance);  ///< Returns the mark in the current theme.
+
+/// Returns the brush of a mark in a colour; what is not filled has the card's colour.
+QBrush brushOf(MarkFill fill, const QColor& colour);
 
 /// A bar whose stem has the pen's pattern; its ends are solid and of one width.
 class PatternBar final : public QwtIntervalSymbol {
@@ -35,10 +40,17 @@ public:
 class MarkCurve final : public QwtPlotCurve {
 public:
     explicit MarkCurve(Provenance provenance);
+    /// fills: one of each point.
+    void setMarks(const QVector<QPointF>& points, std::vector<MarkFill> fills);
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
+
+protected:
+    void drawSymbols(QPainter* painter, const QwtSymbol& symbol, const QwtScaleMap& x,
+                     const QwtScaleMap& y, const QRectF& canvas, int from, int to) const override;
 
 private:
     Provenance provenance_;
+    std::vector<MarkFill> fills_;
 };
 
 /// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough.

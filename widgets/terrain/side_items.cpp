@@ -113,9 +113,9 @@ void LightSide::drawBins(QPainter& painter, const QwtScaleMap& x, const QwtScale
         }
         if (!drawable(estimate->height[i])) continue;
         const int size = static_cast<int>(kSmall * scaled(mark.size));
-        const QwtSymbol symbol(mark.shape,
-                               mark.fill == mark.line ? lightened(mark.fill) : mark.fill,
-                               QPen(lightened(mark.line), 1.5), QSize(size, size));
+        const QColor ink = lightened(mark.line);
+        const QwtSymbol symbol(mark.shape, brushOf(markFill(*estimate, bin), ink), QPen(ink, 1.5),
+                               QSize(size, size));
         symbol.drawSymbol(&painter, {at, y.transform(estimate->height[i])});
     }
 }

@@ -27,7 +27,7 @@
 namespace terratact {
 namespace {
 
-QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill, int size)
+QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QBrush& fill, int size)
 {
     return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
 }
@@ -178,7 +178,10 @@ void TerrainProfileView::restyle()
         const auto kind = static_cast<std::size_t>(from);
         const ProvenanceMark mark = markOf(from);
         bars_[kind]->setSymbol(new PatternBar(mark.bar));
-        points_[kind]->setSymbol(symbol(mark.shape, mark.line, mark.fill, scaled(mark.size)));
+        points_[kind]->setSymbol(symbol(
+            mark.shape, mark.line,
+            brushOf(from == Provenance::PriorOnly ? MarkFill::Open : MarkFill::Full, mark.line),
+            scaled(mark.size)));
     }
     imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
     imu_->setLabel(inked(tr("IMU"), theme().muted, sized(font(), 12)));

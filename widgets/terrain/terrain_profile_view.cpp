@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/display/format.h"
 #include "app/display/place_text.h"
@@ -193,6 +194,7 @@ void TerrainProfileView::showEstimate()
 void TerrainProfileView::showBins(const TerrainEstimate& e)
 {
     std::array<QVector<QPointF>, kKinds> points;
+    std::array<std::vector<MarkFill>, kKinds> fills;
     std::array<QVector<QwtIntervalSample>, kKinds> bars;
     std::vector<QPointF> known, prior;
     QPainterPath ceilings;
@@ -201,7 +203,10 @@ void TerrainProfileView::showBins(const TerrainEstimate& e)
         const auto i = static_cast<std::size_t>(bin);
         const auto kind = static_cast<std::size_t>(provenance(e, bin));
         const QPointF point(binCentre(bin), e.height[i]);
-        if (drawable(point)) points[kind].append(point);
+        if (drawable(point)) {
+            points[kind].append(point);
+            fills[kind].push_back(markFill(e, bin));
+        }
         const bool unfelt = isUnfeltAhead(e, bin);  // no band, because it would look measured
         if (!unfelt && drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
             bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
@@ -219,7 +224,7 @@ void TerrainProfileView::showBins(const TerrainEstimate& e)
         prior.emplace_back(point.x(), kNowhere);
     }
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        points_[kind]->setSamples(points[kind]);
+        points_[kind]->setMarks(points[kind], std::move(fills[kind]));
         bars_[kind]->setSamples(bars[kind]);
     }
     for (QwtPlotShapeItem* line : {mean_, meanCore_}) line->setShape(pathThrough(known));

@@ -17,7 +17,6 @@
 #include "widgets/terrain/robot_sketch.h"
 #include "widgets/terrain/shown_sides.h"
 
-class QwtPlotCurve;
 class QwtPlotGrid;
 class QwtPlotIntervalCurve;
 class QwtPlotMarker;
@@ -31,6 +30,7 @@ class BinInspector;
 class BinZones;
 class LightSide;
 class LineItem;
+class MarkCurve;
 class MarkLetters;
 class MeasuredLine;
 struct MeasuredEnd;
@@ -55,8 +55,8 @@ struct ArmTip {
 /// Draws a TerrainEstimate: mean line, bars between the 0.1 and 0.9 quantiles, and ceilings. The robot's side view has
 /// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is. Bins differ
 /// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
-/// triangle, sampled = circle, prior only = open diamond in an amber zone. Letters mark the bins where the legend has
-/// no room. A bin with bimodal draws shows both heights.
+/// triangle, sampled = circle, prior only = open diamond in an amber zone. A mark is filled where the bin was felt, its
+/// lower half where it was felt in part, else open. Letters mark the bins where the legend has no room. A bin with bimodal draws shows both heights.
 /// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
 /// side's line is hollow, and letters stand at their ends.
 /// The wheel, + and − zoom. Dragging and Shift with an arrow key pan. A double click or 0 shows the robot again. Two
@@ -224,7 +224,7 @@ private:
     RobotSketch farRobot_, robot_;
 
     // The plot owns its items once they are attached.
-    std::array<QwtPlotCurve*, kKinds> points_{};
+    std::array<MarkCurve*, kKinds> points_{};
     std::array<QwtPlotIntervalCurve*, kKinds> bars_{};
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* imu_ = nullptr;

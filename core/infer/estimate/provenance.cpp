@@ -40,4 +40,18 @@ BarPattern barPattern(Provenance provenance)
     return {};
 }
 
+MarkFill markFill(const TerrainEstimate& estimate, int bin)
+{
+    if (provenance(estimate, bin) == Provenance::PriorOnly) return MarkFill::Open;
+    switch (estimate.touch[static_cast<std::size_t>(bin)]) {
+    case Touch::FeltInPart: return MarkFill::LowerHalf;
+    case Touch::Bounded:
+    case Touch::NotFelt: return MarkFill::Open;
+    case Touch::Felt:
+    case Touch::Remembered:
+    case Touch::Unrecorded: break;
+    }
+    return MarkFill::Full;
+}
+
 }  // namespace terratact

@@ -40,4 +40,10 @@ struct BarPattern {
 /// Returns wide, solid, dash-dot, dashed or dotted for the five values, in their order.
 BarPattern barPattern(Provenance provenance);
 
+/// Fill of a bin's mark, on screens and in figures.
+enum class MarkFill : std::uint8_t { Open, LowerHalf, Full };
+/// Returns how much of a bin was felt: Full if felt or remembered, LowerHalf if felt in part, else Open. Full where a
+/// recording does not tell. A bin that is PriorOnly is always Open.
+MarkFill markFill(const TerrainEstimate& estimate, int bin);
+
 }  // namespace terratact

@@ -163,6 +163,24 @@ TEST_F(ProfileFigure, usesThePatternsOfTheScreenForKindsOfBin)
             }
 }
 
+TEST_F(ProfileFigure, marksAreFilledAsFarAsBinsWereFelt)
+{
+    const auto inkOf = [](Touch touch) {
+        FigureInput input = flatGround();
+        input.estimate.origin[6] = Origin::Contact;
+        input.estimate.q10[6] = input.estimate.q90[6] = input.estimate.height[6];
+        input.estimate.touch[6] = touch;
+        return plotOf(drawn(input)).count(kContact);
+    };
+    const auto full = inkOf(Touch::Felt), half = inkOf(Touch::FeltInPart),
+               open = inkOf(Touch::Bounded);
+    EXPECT_GT(half, open + 30);
+    EXPECT_GT(full, half + 30);
+    EXPECT_EQ(inkOf(Touch::Remembered), full);
+    EXPECT_EQ(inkOf(Touch::NotFelt), open);
+    EXPECT_EQ(inkOf(Touch::Unrecorded), full) << "an older recording does not tell";
+}
+
 TEST_F(ProfileFigure, hasEqualAxes)
 {
     // Two equal square marks, 0.3 m apart in x and in z, span a square of pixels.

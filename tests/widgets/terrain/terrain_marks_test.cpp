@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/support/benches/terrain_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -171,6 +173,29 @@ TEST_F(TerrainView, onlyPriorOnlyBinsLieInTheAmberZone)
     EXPECT_FALSE(amber(0.77));
     view.clearEstimate("none");
     EXPECT_FALSE(amber(0.57));
+}
+
+TEST_F(TerrainView, marksAreFilledAsFarAsBinsWereFelt)
+{
+    TerrainEstimate e = probedEstimate();
+    e.q10 = e.q90 = e.height;  // no bars in the way
+    constexpr int kBin = 8;    // a square
+    const auto inkIn = [&](Touch touch, double below) {
+        e.touch[kBin] = touch;
+        view.setEstimate(e);
+        const QPointF centre = view.pixelOf(binCentre(kBin), e.height[kBin]);
+        return alike(painted(*view.canvas()).pixelColor((centre + QPointF(-3.0, below)).toPoint()),
+                     theme().contact);
+    };
+    const std::tuple<Touch, bool, bool> expected[]{
+        {Touch::Felt, true, true},        {Touch::Remembered, true, true},
+        {Touch::FeltInPart, false, true}, {Touch::Bounded, false, false},
+        {Touch::NotFelt, false, false},   {Touch::Unrecorded, true, true},
+    };
+    for (const auto& [touch, upper, lower] : expected) {
+        EXPECT_EQ(inkIn(touch, -3.0), upper) << name(touch);
+        EXPECT_EQ(inkIn(touch, 3.0), lower) << name(touch);
+    }
 }
 
 TEST_F(TerrainView, noTwoKindsOfBinsHaveAShapeAPatternOrAWordInCommon)
