@@ -10,6 +10,9 @@ namespace {
 constexpr SourceText kSentences[] = {
     TR_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 "
                     "and %5 m (%6)"),
+    TR_NOOP("core",
+            "a step ahead of more than %1 mm: probability %2 ± %3, most likely at %4 m … %5 "
+            "m (%6)"),
     TR_NOOP("terratact::Exploration", "no answer in time: no probe"),
     TR_NOOP("terratact::Exploration", "the robot says that it is stopped"),
     TR_NOOP("core", "link is up"),

@@ -104,7 +104,9 @@ Status CsvReader::begin()
     const Result<bool> isNamed = readSeparatorLine();
     if (!isNamed) return isNamed.error();
     skipRemarks();
-    if (rest_.empty()) return fileError(name_, TR_NOOP("core", "is empty"));
+    if (rest_.empty())
+        return fileError(
+            name_, TR_NOOP("core", "is empty: expected a line with the names of its columns"));
     return *isNamed ? Status(Done{}) : chooseSeparator();
 }
 

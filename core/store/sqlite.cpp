@@ -80,7 +80,7 @@ Header headerOf(const std::string& path)
     if (!in)
         throw SqliteError(Message(TR_NOOP("core", "cannot be opened: %1"), systemMessage(errno)));
     in.read(header.data(), header.size());
-    if (in.gcount() == 0) throw SqliteError(TR_NOOP("core", "is empty"));
+    if (in.gcount() == 0) throw SqliteError(TR_NOOP("core", "is empty: copy it again"));
     if (!in || std::string_view(header.data(), kMagic.size()) != kMagic)
         throw SqliteError(TR_NOOP("core", "is not an SQLite file"));
     return header;
@@ -101,7 +101,8 @@ void checkSize(const std::string& path, std::uintmax_t most)
         throw SqliteError(Message(TR_NOOP("core", "is larger than the %1 bytes allowed"), most));
     if (size == expected) return;
     const SourceText text =
-        size < expected ? TR_NOOP("core", "has %1 bytes where its header says %2: it is truncated")
+        size < expected ? TR_NOOP(
+            "core", "has %1 bytes where its header says %2: it is truncated, copy it again")
                         : TR_NOOP("core", "has %1 bytes where its header says %2");
     throw SqliteError(Message(text, size, expected));
 }

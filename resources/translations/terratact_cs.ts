@@ -4792,10 +4792,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nemá velikost: %1</translation>
     </message>
     <message>
-        <source>has %1 bytes where its header says %2: it is truncated</source>
-        <translation>má %1 bajtů, hlavička udává %2: je uříznutý</translation>
-    </message>
-    <message>
         <source>cannot be created: %1</source>
         <translation>nelze vytvořit: %1</translation>
     </message>
@@ -6050,6 +6046,22 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the number of a drive is out of range</source>
         <translation>číslo jízdy je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 m anywhere ahead, felt or not: P %2 ± %3, most likely at %4 … %5 m (P %6)</source>
+        <translation>schod vyšší než %1 m kdekoli vpředu, ohmataný i neohmataný: P %2 ± %3, nejspíš v %4 … %5 m (P %6)</translation>
+    </message>
+    <message>
+        <source>is empty: expected a line with the names of its columns</source>
+        <translation>je prázdný: očekává se řádek s názvy sloupců</translation>
+    </message>
+    <message>
+        <source>is empty: copy it again</source>
+        <translation>je prázdný: zkopírujte jej znovu</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2: it is truncated, copy it again</source>
+        <translation>má %1 bajtů, hlavička udává %2: je uříznutý, zkopírujte jej znovu</translation>
     </message>
 </context>
 <context>
@@ -12800,8 +12812,8 @@ vpředu</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>most likely at %1 … %2 (%3)</source>
-        <translation>nejspíš v %1 … %2 (%3)</translation>
+        <source>most likely at %1 … %2 (P %3)</source>
+        <translation>nejspíš v %1 … %2 (P %3)</translation>
     </message>
     <message>
         <source>Verdict</source>

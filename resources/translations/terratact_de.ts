@@ -4792,10 +4792,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>hat keine Größe: %1</translation>
     </message>
     <message>
-        <source>has %1 bytes where its header says %2: it is truncated</source>
-        <translation>hat %1 Bytes, laut Kopf %2: sie ist abgeschnitten</translation>
-    </message>
-    <message>
         <source>cannot be created: %1</source>
         <translation>lässt sich nicht anlegen: %1</translation>
     </message>
@@ -6050,6 +6046,22 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the number of a drive is out of range</source>
         <translation>die Nummer einer Fahrt ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a step of more than %1 m anywhere ahead, felt or not: P %2 ± %3, most likely at %4 … %5 m (P %6)</source>
+        <translation>eine Stufe über %1 m irgendwo voraus, ertastet oder nicht: P %2 ± %3, am ehesten bei %4 … %5 m (P %6)</translation>
+    </message>
+    <message>
+        <source>is empty: expected a line with the names of its columns</source>
+        <translation>ist leer: erwartet wird eine Zeile mit den Namen der Spalten</translation>
+    </message>
+    <message>
+        <source>is empty: copy it again</source>
+        <translation>ist leer: bitte erneut kopieren</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2: it is truncated, copy it again</source>
+        <translation>hat %1 Bytes, laut Kopf %2: sie ist abgeschnitten, bitte erneut kopieren</translation>
     </message>
 </context>
 <context>
@@ -12799,8 +12811,8 @@ voraus</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>most likely at %1 … %2 (%3)</source>
-        <translation>am ehesten bei %1 … %2 (%3)</translation>
+        <source>most likely at %1 … %2 (P %3)</source>
+        <translation>am ehesten bei %1 … %2 (P %3)</translation>
     </message>
     <message>
         <source>Verdict</source>

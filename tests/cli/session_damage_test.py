@@ -80,7 +80,7 @@ class Recover(Damaged):
         hint = "; `terratact session recover` saves what is whole in it"
         for command in (["info"], ["export", "--out", self.path / "out.csv"], ["scenes", "--out", self.path / "out.csv"],
                         ["report", "--out", self.path / "out.pdf"], ["strip", "--out", self.path / "out.csv"]):
-            self.assertIn("it is truncated" + hint, complaint("session", command[0], cut, *command[1:]))
+            self.assertIn("it is truncated, copy it again" + hint, complaint("session", command[0], cut, *command[1:]))
         self.assertEqual(os.listdir(self.path), [cut.name])
         newer = self.damaged(lambda data, page: data[:60] + bytes([0, 0, 0, 99]) + data[64:])
         self.assertNotIn("recover", complaint("session", "info", newer))

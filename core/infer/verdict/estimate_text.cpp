@@ -17,9 +17,9 @@ Message stepSentence(const TerrainEstimate& estimate, double limit)
     const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
                                             [](const auto& a, const auto& b) { return a.p < b.p; })
                          - pairs.begin();
-    return {TR_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± %3, most likely at "
-                            "%4 m … %5 m (%6)"),
-            fixed(1000.0 * limit, 0),
+    return {TR_NOOP("core", "a step of more than %1 m anywhere ahead, felt or not: P %2 ± %3, most "
+                            "likely at %4 … %5 m (P %6)"),
+            fixed(limit, 2),
             fixed(any.p, 2),
             randomErrorText(any.monteCarloSd, 2),
             signedFixed(binCentre(static_cast<int>(likeliest)), 1),

@@ -121,10 +121,10 @@ TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)
     withDraws = true;
     exploration->setStepLimit(0.24);
     ASSERT_NO_FATAL_FAILURE(propose());
-    const auto told = events.filter(QStringLiteral("a step ahead of more than"));
+    const auto told = events.filter(QStringLiteral("a step of more than"));
     ASSERT_FALSE(told.isEmpty());
     for (const QString& event : told)
-        EXPECT_TRUE(event.contains(QStringLiteral("more than 240 mm"))) << event.toStdString();
+        EXPECT_TRUE(event.contains(QStringLiteral("more than 0.24 m"))) << event.toStdString();
 }
 
 TEST_F(Bench, theEndOfTheGroundIsReportedWithItsFile)

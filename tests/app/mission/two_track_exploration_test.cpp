@@ -91,7 +91,7 @@ TEST_F(UnevenBench, theVerdictIsOfEachSide)
     EXPECT_NE(verdict.side[1].stepVerdict, StepVerdict::Blocked);
     EXPECT_EQ(verdict.both, StepVerdict::Blocked);
     EXPECT_TRUE(says("left: the left side is odd"));
-    EXPECT_TRUE(says("left: a step ahead of more than"));
+    EXPECT_TRUE(says("left: a step of more than"));
 }
 
 TEST_F(UnevenBench, rollIsNoDoubtBeforeAnExploration)

@@ -48,7 +48,7 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
     EXPECT_EQ(
         line->text(),
         QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · most likely at "
-                          "+0.5 … +0.6 m (0.97)"));
+                          "+0.5 … +0.6 m (P 0.97)"));
     EXPECT_TRUE(explained()) << "P over two bins, beside a column of P to the next";
     verdict.stepVerdict = StepVerdict::CannotTell;
     verdict.withheldFor = {WithholdReason::Stale};

@@ -135,6 +135,7 @@ void NumbersTable::setSide(const TerrainEstimate& e, double stepLimit, int first
 void NumbersTable::clearEstimate()
 {
     setRows(false);
+    hideChains(true);
     for (int bin = 0; bin < kBins; ++bin)
         for (int column = Height; column < kColumns; ++column)
             set(bin, static_cast<Column>(column), format::kNothing);

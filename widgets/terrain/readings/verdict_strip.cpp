@@ -34,7 +34,7 @@ QString shortProbability(double p)
 
 QString likeliestText(const Verdict& verdict)
 {
-    return VerdictStrip::tr("most likely at %1 … %2 (%3)")
+    return VerdictStrip::tr("most likely at %1 … %2 (P %3)")
         .arg(format::signedLengthNumber(binCentre(verdict.likeliest), 1),
              format::signedLength(binCentre(verdict.likeliest + 1), 1),
              shortProbability(verdict.likeliestP));
