@@ -165,7 +165,7 @@ TEST_F(ProfileFigure, usesThePatternsOfTheScreenForKindsOfBin)
 
 TEST_F(ProfileFigure, marksAreFilledAsFarAsBinsWereFelt)
 {
-    const auto inkOf = [](Touch touch) {
+    const auto inkOf = [this](Touch touch) {
         FigureInput input = flatGround();
         input.estimate.origin[6] = Origin::Contact;
         input.estimate.q10[6] = input.estimate.q90[6] = input.estimate.height[6];
