@@ -304,6 +304,9 @@ private:
                      drawMark(canvas, look, open ? MarkFill::Open : MarkFill::Full, at);
                  }});
         }
+        entries.push_back({say(TR_NOOP("Report", "open: not felt")), [](Canvas& canvas, Point at) {
+                               drawMark(canvas, styleOf(Provenance::Sampled), MarkFill::Open, at);
+                           }});
         addLine(entries, say(TR_NOOP("Report", "mean")), {kSampled, 2.5, {}});
         entries.push_back(
             {say(TR_NOOP("Report", "0.1 to 0.9 quantile")), [](Canvas& canvas, Point at) {

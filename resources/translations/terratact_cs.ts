@@ -2073,6 +2073,10 @@ značka K</translation>
         <source>%1 of %2</source>
         <translation>%1 z %2</translation>
     </message>
+    <message>
+        <source>open: not felt</source>
+        <translation>prázdná: neohmatáno</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>

@@ -2073,6 +2073,10 @@ Marke K</translation>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>open: not felt</source>
+        <translation>offen: nicht ertastet</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDifference</name>

@@ -47,7 +47,7 @@ TEST_F(Strip, answersInAWordWithAShape)
     strip.setVerdict(verdict(StepVerdict::Blocked, 0.99));
     EXPECT_EQ(strip.badge(), QStringLiteral("✘ BLOCKED"));
     EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.99 ± 0.01"));
-    EXPECT_TRUE(strip.reason().contains(QStringLiteral("at +0.5 … +0.6 m (0.50)")));
+    EXPECT_TRUE(strip.reason().contains(QStringLiteral("at +0.5 … +0.6 m (P 0.50)")));
     strip.setNothing("the robot has moved");
     EXPECT_EQ(strip.badge(), QStringLiteral("NO VERDICT"));
     EXPECT_EQ(strip.reason(), QStringLiteral("the robot has moved"));
