@@ -28,7 +28,7 @@ if [ ! "$dir/build.ninja" -nt CMakePresets.json ]; then
   # shellcheck disable=SC2046
   configure --fresh $([ $# = 0 ] || echo -D TERRATACT_TESTS=OFF)
 elif [ $# = 0 ] && grep -q "$without_tests" "$dir/CMakeCache.txt"; then
-  sed -i "/$without_tests/d" "$dir/CMakeCache.txt"  # now the preset decides
+  sed -i "/$without_tests/s/OFF$/ON/" "$dir/CMakeCache.txt"  # unless the preset has none
   configure
 fi
 build=(--preset "$preset")
