@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/learn/kernels/hyperparameters.h"
+#include "tests/support/process_data.h"
 
 namespace terratact {
 
@@ -104,11 +105,14 @@ inline LongMatrix covarianceOf(const Eigen::MatrixXd& A, const Eigen::MatrixXd& 
     return K;
 }
 
-/// Returns the reciprocal condition number of a symmetric matrix in the 1-norm; 0 if the inverse overflows.
+/// Returns the reciprocal condition number of a symmetric matrix in the 1-norm; 0 if the inverse
+/// overflows.
 inline double rcondOf(const LongMatrix& K)
 {
     const auto norm = [](const LongMatrix& M) { return M.cwiseAbs().colwise().sum().maxCoeff(); };
-    const LongMatrix inverse = K.inverse();
+    const Eigen::LLT<LongMatrix> factor(K);
+    if (factor.info() != Eigen::Success) return 0.0;
+    const LongMatrix inverse = inverseOf(factor);
     return inverse.allFinite() ? static_cast<double>(1.0L / (norm(K) * norm(inverse))) : 0.0;
 }
 

@@ -29,6 +29,13 @@ inline ProcessData someData(int U, int d, unsigned seed = 1)
     return data;
 }
 
+/// Returns the inverse of a symmetric positive definite matrix from its factor.
+template <class Scalar>
+Eigen::MatrixX<Scalar> inverseOf(const Eigen::LLT<Eigen::MatrixX<Scalar>>& factor)
+{
+    return factor.solve(Eigen::MatrixX<Scalar>::Identity(factor.rows(), factor.cols()));
+}
+
 /// Returns the squared exponential covariance of two rows.
 inline double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
 {

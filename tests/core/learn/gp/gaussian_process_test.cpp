@@ -18,7 +18,7 @@ namespace {
 /// Returns the textbook prediction by a dense solve.
 Normal reference(const ProcessData& data, const Eigen::VectorXd& x)
 {
-    const Eigen::LDLT<Eigen::MatrixXd> K(covariance(data));
+    const Eigen::LLT<Eigen::MatrixXd> K(covariance(data));
     Eigen::VectorXd k(data.X.rows());
     for (Eigen::Index u = 0; u < k.size(); ++u) k[u] = kernel(data.X.row(u), x, data.hyper);
     const double prior = std::pow(data.hyper.signalSd, 2) + std::pow(data.hyper.noiseSd, 2);
@@ -271,8 +271,8 @@ TEST(GaussianProcess, addsRowVarianceToTheDiagonal)
     for (Eigen::Index u = 0; u < 30; ++u) k[u] = kernel(data.X.row(u), x, data.hyper);
     const double prior = std::pow(data.hyper.signalSd, 2) + std::pow(data.hyper.noiseSd, 2);
     const GaussianProcess process(data.X, data.y, data.hyper, 0.0, {}, variance);
-    EXPECT_NEAR(process.predict(x).mean, k.dot(K.ldlt().solve(data.y)), 1e-9);
-    EXPECT_NEAR(process.predict(x).variance, prior - k.dot(K.ldlt().solve(k)), 1e-9);
+    EXPECT_NEAR(process.predict(x).mean, k.dot(K.llt().solve(data.y)), 1e-9);
+    EXPECT_NEAR(process.predict(x).variance, prior - k.dot(K.llt().solve(k)), 1e-9);
     // Through all rows a sparse process is the same.
     const auto sparse = GaussianProcess::sparse(data.X, data.y, 29, data.hyper, 0.0, {}, variance);
     EXPECT_NEAR(sparse->predict(x).mean, process.predict(x).mean, 0.02);

@@ -116,11 +116,12 @@ LongLikelihood inLongDouble(const ExtremeData& data)
     const LongMatrix signal = covarianceOf(data.X, data.X, hyper);
     LongMatrix K = signal;
     K.diagonal().array() += squareOf(hyper.noiseSd);
-    const LongMatrix inverse = K.inverse();
+    const Eigen::LLT<LongMatrix> factor(K);
+    const LongMatrix inverse = inverseOf(factor);
     const LongVector alpha = inverse * data.y.cast<Long>();
     const LongMatrix W = inverse - alpha * alpha.transpose();
     const Long quadratic = data.y.cast<Long>().dot(alpha);
-    const LongMatrix L = K.llt().matrixL();
+    const LongMatrix L = factor.matrixL();
     LongLikelihood l;
     l.negativeLog = static_cast<double>(0.5L * quadratic + L.diagonal().array().log().sum()
                                         + 0.5L * static_cast<Long>(U)

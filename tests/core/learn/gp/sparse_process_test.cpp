@@ -10,6 +10,7 @@
 
 #include "core/learn/gp/gaussian_process.h"
 #include "core/learn/gp/scene_conditional.h"
+#include "tests/support/process_data.h"
 
 namespace terratact {
 namespace {
@@ -53,12 +54,13 @@ TEST(SparseProcess, isTheFormulaOfItsHeader)
     const Eigen::MatrixXd Z = data.X(p.inducing, Eigen::all);
     const Eigen::MatrixXd Kmm = data.k(Z, Z);
     const Eigen::MatrixXd Kmn = data.k(Z, data.X);
-    const Eigen::MatrixXd inverse = Kmm.inverse();
+    const Eigen::MatrixXd inverse = inverseOf(Kmm.llt());
     const double signal2 = 1.44;
     const Eigen::VectorXd lambda =
         (signal2 + 0.04 - (Kmn.transpose() * inverse * Kmn).diagonal().array()).matrix();
     const Eigen::MatrixXd scaled = Kmn * lambda.cwiseInverse().asDiagonal();
-    const Eigen::MatrixXd inverseA = (Kmm + scaled * Kmn.transpose()).inverse();
+    const Eigen::MatrixXd inverseA =
+        inverseOf(Eigen::LLT<Eigen::MatrixXd>(Kmm + scaled * Kmn.transpose()));
     const Eigen::VectorXd w = inverseA * scaled * data.y;
     EXPECT_LT((p.weights - w).norm(), 1e-8 * w.norm());
     const Eigen::MatrixXd difference = inverse - inverseA;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/learn/gp/symmetric_eigen.h"
 #include "core/learn/kernels/likelihood_kernels.h"
 
 namespace terratact {
@@ -39,7 +40,7 @@ Eigen::MatrixXd positiveDefinite(int n, double least)
     std::normal_distribution<double> normal;
     Eigen::MatrixXd M(n, n);
     for (double& x : M.reshaped()) x = normal(rng);
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(M).householderQ();
+    const Eigen::MatrixXd Q = symmetricEigen(M + M.transpose()).vectors;
     Eigen::VectorXd values(n);
     for (int k = 0; k < n; ++k) values[k] = n > 1 ? std::pow(least, k / (n - 1.0)) : 1.0;
     const Eigen::MatrixXd A = Q * values.asDiagonal() * Q.transpose();
