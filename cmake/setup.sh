@@ -178,8 +178,10 @@ build_qwt() {
     echo "its qwtconfig.pri is not that of Qwt 6.3, so build_qwt in cmake/setup.sh must be adapted" >../reason
     return 1
   fi
-  # Of another architecture, Debian 12's qmake does not find moc.
-  "$qmake" "QT_TOOL.moc.binary=$(qmake6 -query QT_HOST_LIBEXECS)/moc" && make -j"$(nproc)" && make install
+  # Of another architecture, Debian 12's qmake does not find moc. The precompiled header saves a quarter of the time.
+  echo '#include <QtWidgets>' >precompiled.h
+  "$qmake" "QT_TOOL.moc.binary=$(qmake6 -query QT_HOST_LIBEXECS)/moc" \
+    CONFIG+=precompile_header "PRECOMPILED_HEADER=$PWD/precompiled.h" && make -j"$(nproc)" && make install
 }
 
 # Only a library, linked into the tests.
