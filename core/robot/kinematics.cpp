@@ -108,6 +108,8 @@ RobotShape shapeAt(const RobotModel& robot, const Pose& pose)
 // n = (d cos φ ± d⊥ sin φ) with cos φ = (ra − rb) / |b − a| and d the unit vector from a to b.
 double lowerBoundary(const TaperedHull& hull, double x)
 {
+    if (x < std::min(hull.a.x - hull.ra, hull.b.x - hull.rb)) return kInfinity;
+    if (x > std::max(hull.a.x + hull.ra, hull.b.x + hull.rb)) return kInfinity;
     double lowest = std::min(circleBottom(hull.a, hull.ra, x), circleBottom(hull.b, hull.rb, x));
     const Vec2 ab{hull.b.x - hull.a.x, hull.b.z - hull.a.z};
     const double length = std::hypot(ab.x, ab.z);
