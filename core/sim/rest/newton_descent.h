@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/learn/gp/symmetric_eigen.h"
+
 namespace terratact {
 
 /// Returns Newton's step −H⁻¹g for a symmetric H. Its eigenvalues are replaced by their magnitude
@@ -9,10 +11,9 @@ namespace terratact {
 template <class Matrix, class Vector>
 Vector newtonStep(const Matrix& symmetric, const Vector& gradient)
 {
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
-    const Vector curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1.0);
-    return -(eigen.eigenvectors()
-             * (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature));
+    const SymmetricEigen eigen = symmetricEigen(symmetric);
+    const Vector curvature = eigen.values.cwiseAbs().cwiseMax(1.0);
+    return -(eigen.vectors * (eigen.vectors.transpose() * gradient).cwiseQuotient(curvature));
 }
 
 /// Newton's method with a line search that halves a step until it descends far enough. Problem has
