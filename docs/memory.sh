@@ -57,6 +57,8 @@ method `trail` estimates a scene from its readings and from that memory. `core/t
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of
   bins and sides. Each drive gives one of them: the errors along a drive are nearly one error, and bands would be too narrow. The mean error of
   these scenes does not correct the prediction.
+- **Their expected size**: a linear layer tells the logarithm of a bin's error from the networks' inputs and from how much the networks differ.
+  The errors of similar scenes are scaled by it. So bands narrow where many presses are remembered, and widen where little is.
 
 Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`. A warning says
 so. `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.

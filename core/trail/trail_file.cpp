@@ -30,7 +30,7 @@ using model_file::Refused;
 using model_file::require;
 
 constexpr std::int64_t kTrailApplication = 0x54544E31;  // "TTN1"
-constexpr std::int64_t kTrailVersion = 2;
+constexpr std::int64_t kTrailVersion = 3;
 constexpr std::uintmax_t kMaxTrailBytes = std::uintmax_t{32} * 1024 * 1024;
 constexpr Eigen::Index kMaxNetworks = 16, kMaxLayers = 8;
 constexpr Eigen::Index kMaxWidth = 499;  // a blob of the file has at most 1 000 000 bytes
@@ -108,6 +108,16 @@ const auto& scalesOf(const TrailNetworks& networks, bool covered)
     return covered ? networks.covered : networks.open;
 }
 
+/// Returns the networks in the file's order: that of the errors' size is the last one.
+std::vector<const Network*> allOf(const TrailNetworks& networks)
+{
+    std::vector<const Network*> all;
+    all.reserve(networks.networks.size() + 1);
+    for (const Network& network : networks.networks) all.push_back(&network);
+    if (!networks.isEmpty()) all.push_back(&networks.size);
+    return all;
+}
+
 void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
 {
     for (Eigen::Index i = 0; i < networks.inputMean.size(); ++i) {
@@ -119,8 +129,8 @@ void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
             bytes.add(scale.mean);
             bytes.add(scale.sd);
         }
-    for (const Network& network : networks.networks)
-        for (const NetworkLayer& layer : network.layers) {
+    for (const Network* network : allOf(networks))
+        for (const NetworkLayer& layer : network->layers) {
             bytes.add(bytesOf(layer.weight.data(), layer.weight.size()));
             bytes.add(bytesOf(layer.bias.data(), layer.bias.size()));
         }
@@ -136,7 +146,7 @@ void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
 std::string hashOf(const TrailData& data)
 {
     CanonicalBytes bytes;
-    bytes.add(std::string_view("Terratact trail 2"));
+    bytes.add(std::string_view("Terratact trail 3"));
     bytes.add(data.command);
     bytes.add(data.seed);
     for (const auto& [networks, hash] :
@@ -159,9 +169,10 @@ void writeNetworks(SqliteFile& file, const Kind& kind, const TrailNetworks& netw
             insert(scale, kind.name, bin, covered ? 1 : 0, own.mean, own.sd);
         }
     SqliteStatement row = file.prepare("INSERT INTO layer VALUES(?, ?, ?, ?, ?, ?, ?)");
-    for (std::size_t n = 0; n < networks.networks.size(); ++n)
-        for (std::size_t k = 0; k < networks.networks[n].layers.size(); ++k) {
-            const NetworkLayer& layer = networks.networks[n].layers[k];
+    const std::vector<const Network*> all = allOf(networks);
+    for (std::size_t n = 0; n < all.size(); ++n)
+        for (std::size_t k = 0; k < all[n]->layers.size(); ++k) {
+            const NetworkLayer& layer = all[n]->layers[k];
             row.bind(0, kind.name);
             row.bind(1, static_cast<std::int64_t>(n));
             row.bind(2, static_cast<std::int64_t>(k));
@@ -270,11 +281,15 @@ void readLayers(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
         if (network == std::ssize(networks.networks) && layer == 0)
             networks.networks.emplace_back();
         require(!networks.networks.empty() && network == std::ssize(networks.networks) - 1
-                    && network < kMaxNetworks
+                    && network <= kMaxNetworks
                     && layer == std::ssize(networks.networks.back().layers) && layer < kMaxLayers,
                 TR_NOOP("core", "a layer of a network is missing"));
         networks.networks.back().layers.push_back(layerOf(row));
     }
+    if (networks.isEmpty()) return;
+    networks.size = std::move(networks.networks.back());
+    networks.networks.pop_back();
+    require(!networks.isEmpty(), TR_NOOP("core", "a layer of a network is missing"));
 }
 
 int driveOf(std::int64_t number)

@@ -19,6 +19,8 @@ using SideMasks = std::array<unsigned, 2>;
 
 /// Standardised inputs farther than this count as this far: training held none.
 constexpr double kFarthestInput = 10.0;
+constexpr float kFarthestSizeInput = 4.0F;  // the same for the size of errors
+constexpr float kMostLogSize = 3.0F;
 
 void requireOfTrail(bool holds, const char* what)
 {
@@ -110,7 +112,8 @@ std::vector<Similar> nearestScenes(const TrailErrors& errors, const Eigen::Vecto
 
 /// Returns the mean and the errors in y of a prediction in sd of TrailScale.
 TrailPrediction inSurfaceCoordinates(const TrailNetworks& networks,
-                                     const Eigen::VectorXf& predicted, const SideMasks& covered)
+                                     const Eigen::VectorXf& predicted, const Eigen::VectorXf& size,
+                                     const SideMasks& covered)
 {
     const std::vector<Similar> similar = nearestScenes(networks.errors, predicted, covered);
     Eigen::VectorXd squared(std::ssize(similar));
@@ -118,7 +121,8 @@ TrailPrediction inSurfaceCoordinates(const TrailNetworks& networks,
     for (Eigen::Index k = 0; k < squared.size(); ++k) {
         const Similar& scene = similar[static_cast<std::size_t>(k)];
         const Eigen::VectorXf own = networks.errors.residual.col(scene.scene);
-        residual.col(k) = (scene.isMirrored ? exchanged(own) : own).cast<double>();
+        residual.col(k) =
+            (scene.isMirrored ? exchanged(own) : own).cwiseProduct(size).cast<double>();
         squared[k] = scene.squared;
     }
     const Eigen::VectorXd weight = residualWeights(squared);
@@ -153,10 +157,14 @@ void requireTrailNetworks(const TrailNetworks& networks, Eigen::Index inputs, Ei
         requireOfTrail(network.inputs() == inputs && network.outputs() == Eigen::Index{kBins},
                        "a network has another number of inputs or outputs");
     }
+    requireNetwork(networks.size);
+    requireOfTrail(std::ssize(networks.size.layers) == 1 && networks.size.inputs() == kBins + inputs
+                       && networks.size.outputs() == Eigen::Index{kBins},
+                   "the size of errors has another number of inputs or outputs");
     requireErrors(networks.errors, sides * kBins);
 }
 
-Eigen::VectorXf meanOutput(const TrailNetworks& networks, const Eigen::VectorXd& inputs)
+TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& inputs)
 {
     if (inputs.size() != networks.inputMean.size() || !inputs.allFinite())
         throw std::invalid_argument("trail networks need all inputs, finite");
@@ -165,11 +173,26 @@ Eigen::VectorXf meanOutput(const TrailNetworks& networks, const Eigen::VectorXd&
                                   .cwiseMax(-kFarthestInput)
                                   .cwiseMin(kFarthestInput)
                                   .cast<float>();
-    Eigen::VectorXf sum = Eigen::VectorXf::Zero(Eigen::Index{kBins});
-    for (const Network& network : networks.networks) sum += network.output(x);
-    if (!sum.allFinite())
+    Eigen::MatrixXf each(Eigen::Index{kBins}, std::ssize(networks.networks));
+    for (Eigen::Index k = 0; k < each.cols(); ++k)
+        each.col(k) = networks.networks[static_cast<std::size_t>(k)].output(x);
+    if (!each.allFinite())
         throw RefusedInput(TR_NOOP("core", "the networks of method trail give no finite number"));
-    return sum / static_cast<float>(networks.networks.size());
+    TrailOutput output{each.rowwise().mean(), Eigen::VectorXf(kBins + x.size())};
+    each.colwise() -= output.mean;
+    const Eigen::ArrayXf spread = each.array().square().rowwise().mean().sqrt();
+    output.sizeInputs << (spread + static_cast<float>(kLeastSpread)).log().matrix(),
+        x.cwiseMax(-kFarthestSizeInput).cwiseMin(kFarthestSizeInput);
+    return output;
+}
+
+Eigen::VectorXf errorSize(const TrailNetworks& networks, const TrailOutput& output)
+{
+    return networks.size.output(output.sizeInputs)
+        .cwiseMax(-kMostLogSize)
+        .cwiseMin(kMostLogSize)
+        .array()
+        .exp();
 }
 
 bool TrailNetworks::knows(unsigned mask) const
@@ -189,16 +212,21 @@ TrailModel::TrailModel(TrailData data) : data_(std::move(data))
 TrailPrediction TrailModel::plane(const Eigen::VectorXd& inputs, unsigned covered) const
 {
     if (!hasPlane()) throw std::invalid_argument("no trail networks of one plane");
-    return inSurfaceCoordinates(data_.plane, meanOutput(data_.plane, inputs), {covered, covered});
+    const TrailOutput output = outputOf(data_.plane, inputs);
+    return inSurfaceCoordinates(data_.plane, output.mean, errorSize(data_.plane, output),
+                                {covered, covered});
 }
 
 TrailPrediction TrailModel::sides(const std::array<Eigen::VectorXd, 2>& inputs,
                                   const std::array<unsigned, 2>& covered) const
 {
     if (!hasSides()) throw std::invalid_argument("no trail networks of both sides");
-    Eigen::VectorXf predicted(Eigen::Index{2} * kBins);
-    predicted << meanOutput(data_.side, inputs[0]), meanOutput(data_.side, inputs[1]);
-    return inSurfaceCoordinates(data_.side, predicted, covered);
+    const TrailOutput left = outputOf(data_.side, inputs[0]);
+    const TrailOutput right = outputOf(data_.side, inputs[1]);
+    Eigen::VectorXf predicted(Eigen::Index{2} * kBins), size(Eigen::Index{2} * kBins);
+    predicted << left.mean, right.mean;
+    size << errorSize(data_.side, left), errorSize(data_.side, right);
+    return inSurfaceCoordinates(data_.side, predicted, size, covered);
 }
 
 }  // namespace terratact

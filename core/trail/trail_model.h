@@ -19,12 +19,12 @@ struct TrailScale {
     bool operator==(const TrailScale&) const = default;
 };
 
-/// Scenes of drives that no network learnt from. Their errors are those of new drives. Numbers are
-/// in sd of TrailScale, one column per scene: 11 rows of one plane, 22 of both sides, left above
-/// right.
+/// Scenes of drives that no network learnt from. Their errors are those of new drives. One column
+/// per scene: 11 rows of one plane, 22 of both sides, left above right.
 struct TrailErrors {
-    Eigen::MatrixXf predicted;                     ///< mean of the networks
-    Eigen::MatrixXf residual;                      ///< truth minus that mean
+    Eigen::MatrixXf predicted;  ///< mean of the networks, in sd of TrailScale
+    /// Truth minus that mean, in expected sizes of the scene's errors (TrailNetworks::size).
+    Eigen::MatrixXf residual;
     std::vector<std::array<unsigned, 2>> covered;  ///< covered bins; of one plane: both equal
     std::vector<int> drive;                        ///< number of the scene's drive, from 0
 };
@@ -34,6 +34,10 @@ struct TrailNetworks {
     Eigen::VectorXd inputMean, inputSd;
     std::array<TrailScale, kBins> open, covered;
     std::vector<Network> networks;  ///< of different seeds; their mean counts
+    /// One linear layer: log of the expected size of each bin's error e, the geometric mean of
+    /// |e| + 0.1 [sd of TrailScale]. Its inputs are log(s + kLeastSpread) of the bins, where s is the sd
+    /// of the networks, and their standardised inputs.
+    Network size;
     TrailErrors errors;
 
     bool isEmpty() const { return networks.empty(); }
@@ -48,6 +52,9 @@ struct TrailData {
     std::uint64_t seed = 0;
     std::string planeHash, sideHash;  ///< SHA-256 of the drives, hex; empty: not trained
 };
+
+/// Least sd of the networks that their disagreement tells of, in sd of TrailScale.
+inline constexpr double kLeastSpread = 1e-3;
 
 /// Number of scenes whose errors form those of a scene. They are of as many drives as possible, because
 /// the errors of one drive are nearly one error.
@@ -79,10 +86,11 @@ public:
     /// (trail_inputs.h). covered: bins of the plane, or of both sides. The errors are those of the
     /// kTrailNeighbours scenes with the nearest predictions:
     ///   D² = Σ (p − p')² + kOtherRegime · bins in another regime
-    /// with the weights of residualWeights(). Each drive gives one scene. If there are fewer drives than
-    /// scenes wanted, each gives the least number that suffices. A drive of two tracks and its mirror
-    /// image count as two. Throw std::invalid_argument if the inputs do not fit, or without such networks. Throw
-    /// RefusedInput if the output is not finite.
+    /// with the weights of residualWeights(). They are scaled to the expected size of this scene's errors.
+    /// Each drive gives one scene. If there are fewer drives than scenes wanted, each gives the least
+    /// number that suffices. A drive of two tracks and its mirror image count as two. Throw
+    /// std::invalid_argument if the inputs do not fit, or without such networks. Throw RefusedInput if
+    /// the output is not finite.
     TrailPrediction plane(const Eigen::VectorXd& inputs, unsigned covered) const;
     TrailPrediction sides(const std::array<Eigen::VectorXd, 2>& inputs,
                           const std::array<unsigned, 2>& covered) const;
@@ -95,8 +103,15 @@ private:
     TrailData data_;
 };
 
-/// Returns the mean output of the networks, in sd of TrailScale.
-Eigen::VectorXf meanOutput(const TrailNetworks& networks, const Eigen::VectorXd& inputs);
+/// What the networks say of one column of inputs, in sd of TrailScale.
+struct TrailOutput {
+    Eigen::VectorXf mean;
+    Eigen::VectorXf sizeInputs;  ///< of TrailNetworks::size
+};
+TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& inputs);
+
+/// Returns the expected size of each bin's error.
+Eigen::VectorXf errorSize(const TrailNetworks& networks, const TrailOutput& output);
 
 /// Throws std::invalid_argument unless all parts fit each other and are finite. inputs: expected
 /// number; sides: 1 for a plane, 2 for both sides.

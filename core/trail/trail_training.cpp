@@ -1,5 +1,6 @@
 #include "core/trail/trail_training.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,6 +24,11 @@ namespace {
 constexpr Eigen::Index kTrailSides = 2;
 constexpr double kLeastSd = 1e-6;
 constexpr double kFewestScenes = 30.0;  // of a regime that counts as trained
+
+// Of the expected size of errors: it is that of |error| + kLeastError, in sd of TrailScale. The ridge counts as so many
+// scenes with inputs of sd 1 and no effect.
+constexpr float kLeastError = 0.1F;
+constexpr double kSizeRidge = 30.0;
 
 /// Returns true if a scene has everything that a row needs.
 bool isUsable(const DriveLine& scene, bool sides)
@@ -203,6 +209,41 @@ std::vector<Eigen::Index> completeColumns(const TrailRows& rows, Eigen::Index si
     return columns;
 }
 
+/// Returns the linear layer with the least squared error and a ridge on the weights of standardised inputs. One column
+/// per example.
+NetworkLayer ridgeLayer(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& targets)
+{
+    const auto count = static_cast<double>(inputs.cols());
+    const Eigen::VectorXd mean = inputs.rowwise().mean(), middle = targets.rowwise().mean();
+    const Eigen::MatrixXd centred = inputs.colwise() - mean;
+    const Eigen::VectorXd sd =
+        (centred.rowwise().squaredNorm() / count).cwiseSqrt().cwiseMax(kLeastSd);
+    const Eigen::MatrixXd z = sd.cwiseInverse().asDiagonal() * centred;
+    Eigen::MatrixXd normal = z * z.transpose();
+    normal.diagonal().array() += kSizeRidge;
+    const Eigen::MatrixXd product = z * (targets.colwise() - middle).transpose();
+    const Eigen::MatrixXd weight =
+        normal.llt().solve(product).transpose() * sd.cwiseInverse().asDiagonal();
+    return {weight.cast<float>(), (middle - weight * mean).cast<float>()};
+}
+
+/// Learns the expected size of errors from them, and divides them by it. outputs: of each side of each scene.
+void writeSize(TrailNetworks& networks, const std::vector<TrailOutput>& outputs)
+{
+    Eigen::MatrixXf& residual = networks.errors.residual;
+    const Eigen::Index columns = std::ssize(outputs), sides = residual.rows() / kBins;
+    Eigen::MatrixXd inputs(outputs.front().sizeInputs.size(), columns);
+    for (Eigen::Index u = 0; u < columns; ++u)
+        inputs.col(u) = outputs[static_cast<std::size_t>(u)].sizeInputs.cast<double>();
+    const Eigen::Map<const Eigen::MatrixXf> bySide(residual.data(), kBins, columns);
+    const Eigen::MatrixXd targets = (bySide.array().abs() + kLeastError).log().cast<double>();
+    networks.size.layers = {ridgeLayer(inputs, targets)};
+    for (Eigen::Index u = 0; u < columns; ++u) {
+        auto own = residual.block(u % sides * kBins, u / sides, kBins, 1);
+        own = rounded(own.cwiseQuotient(errorSize(networks, outputs[static_cast<std::size_t>(u)])));
+    }
+}
+
 void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index sides)
 {
     const std::vector<Eigen::Index> columns = completeColumns(rows, sides);
@@ -215,15 +256,17 @@ void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index si
     TrailErrors& errors = networks.errors;
     errors.predicted.resize(sides * kBins, scenes);
     errors.residual.resize(sides * kBins, scenes);
+    std::vector<TrailOutput> outputs;
+    outputs.reserve(static_cast<std::size_t>(scenes * sides));
     for (Eigen::Index k = 0; k < scenes; ++k) {
         std::array<unsigned, 2> covered{};
         for (Eigen::Index side = 0; side < sides; ++side) {
             const Eigen::Index u = columns[static_cast<std::size_t>(sides * k + side)];
-            const Eigen::VectorXf predicted =
-                meanOutput(networks, rows.inputs.col(u).cast<double>());
+            outputs.push_back(outputOf(networks, rows.inputs.col(u).cast<double>()));
+            const Eigen::VectorXf& predicted = outputs.back().mean;
             errors.predicted.block(side * kBins, k, kBins, 1) = rounded(predicted);
             errors.residual.block(side * kBins, k, kBins, 1) =
-                rounded(targetOf(networks, rows, u) - predicted);
+                targetOf(networks, rows, u) - predicted;
             covered[static_cast<std::size_t>(side)] = rows.covered[static_cast<std::size_t>(u)];
         }
         if (sides == 1) covered[1] = covered[0];
@@ -231,6 +274,7 @@ void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index si
         errors.drive.push_back(
             rows.drive[static_cast<std::size_t>(columns[static_cast<std::size_t>(sides * k)])]);
     }
+    writeSize(networks, outputs);
 }
 
 void inTurn(int count, const std::function<void(int)>& work)

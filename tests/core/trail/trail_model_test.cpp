@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <random>
 #include <set>
@@ -141,8 +142,8 @@ double biasOf(const std::vector<DriveLines>& drives)
     const TrailScale& scale = networks.open[kFarthest];
     double sum = 0.0;
     for (Eigen::Index u = 0; u < rows.inputs.cols(); ++u) {
-        const double output =
-            static_cast<double>(meanOutput(networks, rows.inputs.col(u).cast<double>())[kFarthest]);
+        const double output = static_cast<double>(
+            outputOf(networks, rows.inputs.col(u).cast<double>()).mean[kFarthest]);
         sum += scale.mean + scale.sd * output - rows.heights(kFarthest, u);
     }
     return sum / static_cast<double>(rows.inputs.cols());
@@ -226,7 +227,8 @@ TEST(TrailModel, HostileRowsAreRefused)
           "UPDATE layer SET outputs = 1000000, inputs = 1000000", "UPDATE scale SET sd = -1.0",
           "UPDATE input SET kind = 'other' WHERE kind = 'plane'", "DELETE FROM layer",
           "UPDATE error SET covered_left = -5", "UPDATE error SET residual = x'00'",
-          "DELETE FROM layer WHERE kind = 'side'",
+          "DELETE FROM layer WHERE kind = 'side'", "DELETE FROM layer WHERE network = 2",
+          "UPDATE layer SET outputs = 1 WHERE network = 2",
           "UPDATE meta SET value = 'x' WHERE key = 'seed'"}) {
         ASSERT_TRUE(writeTrail(path, smallTrail()));
         {
@@ -306,6 +308,73 @@ TEST(TrailModel, ErrorsSurroundThePrediction)
     const TrailPrediction plane =
         model.plane(Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0), 0x1FF);
     EXPECT_LT((plane.errors.residual * plane.errors.weight).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(TrailModel, ErrorsHaveTheirExpectedSize)
+{
+    TrailData doubled = smallTrail();
+    const float more = std::log(2.0F);
+    doubled.plane.size.layers[0].bias.array() += more;
+    doubled.side.size.layers[0].bias[3] += more;
+    const TrailModel before(smallTrail()), after(doubled);
+    const Eigen::VectorXd inputs = Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0);
+    const Eigen::MatrixXd residual = before.plane(inputs, 0x1FF).errors.residual;
+    EXPECT_TRUE(after.plane(inputs, 0x1FF).errors.residual.isApprox(2.0 * residual, 1e-5));
+    const std::array<Eigen::VectorXd, 2> both{Eigen::VectorXd::LinSpaced(kSideInputs, -1.0, 1.0),
+                                              Eigen::VectorXd::LinSpaced(kSideInputs, 1.0, -1.0)};
+    Eigen::MatrixXd sides = before.sides(both, {0x1FF, 0xFF}).errors.residual;
+    sides.row(3) *= 2.0;
+    sides.row(kBins + 3) *= 2.0;
+    EXPECT_TRUE(after.sides(both, {0x1FF, 0xFF}).errors.residual.isApprox(sides, 1e-5));
+}
+
+/// Returns rows of open bins whose heights are noise: of 0.06 m where the first input is positive, else of 0.02 m.
+TrailRows noisyRows(int drives)
+{
+    constexpr int kScenes = 30;
+    const Eigen::Index n = Eigen::Index{drives} * kScenes;
+    std::mt19937_64 rng(3);
+    std::normal_distribution<double> normal;
+    TrailRows rows;
+    rows.inputs.resize(kPlaneInputs, n);
+    rows.heights.resize(kBins, n);
+    rows.weights = Eigen::MatrixXf::Ones(kBins, n);
+    rows.ceilings.setConstant(kBins, n, std::numeric_limits<double>::infinity());
+    rows.covered.assign(static_cast<std::size_t>(n), 0U);
+    for (Eigen::Index u = 0; u < n; ++u) {
+        for (float& input : rows.inputs.col(u)) input = static_cast<float>(normal(rng));
+        const double sd = rows.inputs(0, u) > 0.0F ? 0.06 : 0.02;
+        for (double& height : rows.heights.col(u)) height = sd * normal(rng);
+        rows.drive.push_back(static_cast<int>(u) / kScenes);
+    }
+    return rows;
+}
+
+TEST(TrailTraining, LearnsWhereErrorsAreLarge)
+{
+    TrailOptions options = quick();
+    options.network.epochs = 2;
+    const TrailRows rows = noisyRows(400);
+    const TrailNetworks networks = trainTrail(rows, false, options);
+    Eigen::VectorXd inputs = Eigen::VectorXd::Zero(kPlaneInputs);
+    const auto sizeAt = [&](double first) {
+        inputs[0] = first;
+        return errorSize(networks, outputOf(networks, inputs)).mean();
+    };
+    EXPECT_GT(sizeAt(1.5), 2.0F * sizeAt(-1.5));
+    std::array<double, 2> squares{},
+        counts{};  // of errors in their expected size, which leaves no difference
+    Eigen::Index k = 0;
+    for (std::size_t u = 0; u < rows.drive.size(); ++u) {
+        if (rows.drive[u] % kErrorDrives != 0) continue;
+        const std::size_t isLarge = rows.inputs(0, static_cast<Eigen::Index>(u)) > 0.0F ? 1 : 0;
+        squares.at(isLarge) += static_cast<double>(networks.errors.residual.col(k++).squaredNorm());
+        counts.at(isLarge) += 1.0;
+    }
+    EXPECT_EQ(k, networks.errors.residual.cols());
+    const double ratio = std::sqrt(squares[1] / counts[1] / (squares[0] / counts[0]));
+    EXPECT_GT(ratio, 0.6);
+    EXPECT_LT(ratio, 1.7);
 }
 
 TEST(TrailModel, MirroredReadingsHaveMirroredInputs)
