@@ -20,7 +20,7 @@ using SideMasks = std::array<unsigned, 2>;
 /// Standardised inputs farther than this count as this far: training held none.
 constexpr double kFarthestInput = 10.0;
 constexpr float kFarthestSizeInput = 4.0F;  // the same for the size of errors
-constexpr float kMostLogSize = 3.0F;
+constexpr float kMostLogSize = 3.0F;        // and as far below 0
 
 void requireOfTrail(bool holds, const char* what)
 {

@@ -110,7 +110,7 @@ struct TrailOutput {
 };
 TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& inputs);
 
-/// Returns the expected size of each bin's error.
+/// Returns the expected size of each bin's error in sd of TrailScale, from e⁻³ to e³.
 Eigen::VectorXf errorSize(const TrailNetworks& networks, const TrailOutput& output);
 
 /// Throws std::invalid_argument unless all parts fit each other and are finite. inputs: expected
