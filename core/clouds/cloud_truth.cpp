@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/normal.h"
 #include "core/terrain/ground_lines.h"
 
 namespace terratact {
@@ -22,12 +23,8 @@ constexpr double kOpenHoleSd = 0.05;  // [m] of a cell whose hole does not end w
 double percentileFactor(double percentile)
 {
     const double p = std::clamp(0.01 * percentile, 0.01, 0.99);
-    double low = -4.0, high = 4.0;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < p ? low : high) = middle;
-    }
-    const double density = std::exp(-0.5 * low * low) / std::sqrt(2.0 * std::numbers::pi);
+    const double z = normalQuantile(p);
+    const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
     return std::sqrt(p * (1.0 - p)) / density;
 }
 

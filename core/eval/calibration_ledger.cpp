@@ -1,10 +1,11 @@
 #include "core/eval/calibration_ledger.h"
 
-#include "core/base/named.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "core/base/named.h"
+#include "core/base/normal.h"
 
 namespace terratact {
 namespace {
@@ -15,18 +16,13 @@ constexpr auto kCalibrationNames =
 constexpr double kWilson = 1.959963984540054;  // Φ⁻¹(0.975)
 constexpr double kPromised = 0.80;             // nominal coverage of the shown bands
 
-double phi(double z)
-{
-    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-}
-
 /// Returns the predictive probability of a measurement below `measured`.
 double pitOf(const TerrainEstimate& shown, std::size_t bin, double measured, double measuredSd)
 {
     if (shown.draws.empty())
-        return phi((measured - shown.mean[bin]) / std::hypot(shown.sd[bin], measuredSd));
+        return normalCdf((measured - shown.mean[bin]) / std::hypot(shown.sd[bin], measuredSd));
     double sum = 0.0;
-    for (const Heights& h : shown.draws) sum += phi((measured - h[bin]) / measuredSd);
+    for (const Heights& h : shown.draws) sum += normalCdf((measured - h[bin]) / measuredSd);
     return sum / static_cast<double>(shown.draws.size());
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/normal.h"
 #include "core/infer/estimate/quantile.h"
 
 namespace terratact {
@@ -15,11 +16,6 @@ namespace {
 constexpr double kHalfOf50 = 0.6744897501960817;  // Φ⁻¹(0.75)
 constexpr double kHalfOf80 = 1.2815515655446004;  // Φ⁻¹(0.9)
 constexpr double kHalfOf95 = 1.9599639845400545;  // Φ⁻¹(0.975)
-
-double normalCdf(double z)
-{
-    return 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2.0);
-}
 
 std::vector<double> sortedDraws(const TerrainEstimate& estimate, std::size_t bin)
 {

@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-void requireFinite(const OdometryLine& line)
+void requireFiniteLine(const OdometryLine& line)
 {
     for (const double value : {line.travelled, line.pitch, line.roll, line.turned})
         if (!std::isfinite(value))
@@ -38,7 +38,7 @@ Odometry::Odometry(const RobotModel& robot, const OdometryLine& start)
       rollPivotSd_(robot.lateral.trackY / std::sqrt(3.0)), imu_{robot.imu.x,
                                                                 robot.imu.z + robot.baseHeight}
 {
-    requireFinite(start);
+    requireFiniteLine(start);
     now_.line = start;
     now_.imu = imuAt({}, start.pitch);
 }
@@ -51,7 +51,7 @@ Vec2 Odometry::imuAt(const Vec2& rolled, double pitch) const
 
 ReckonedState Odometry::after(const OdometryLine& line) const
 {
-    requireFinite(line);
+    requireFiniteLine(line);
     ReckonedState next = now_;
     const double ds = line.travelled - now_.line.travelled;
     const Vec2 along = rotated({1.0, 0.0}, (line.pitch + now_.line.pitch) / 2.0);

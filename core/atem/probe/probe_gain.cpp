@@ -1,12 +1,12 @@
 #include "core/atem/probe/probe_gain.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/normal.h"
 #include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
@@ -118,7 +118,7 @@ std::vector<double> readings(const std::vector<double>& heights, double armSd, P
     for (const double height : heights) {
         work.done(4);
         double& z = all.emplace_back(height);
-        z -= armSd * std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
+        z += armSd * normalQuantile(u);
         u += std::numbers::phi - 1.0;
         u -= std::floor(u);
         u = std::clamp(u, 1e-9, 1.0 - 1e-9);

@@ -1,14 +1,13 @@
 #include "core/infer/estimate/hazards.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/normal.h"
 #include "core/base/random_unit.h"
 #include "core/infer/estimate/quantile.h"
 
@@ -68,12 +67,7 @@ double summarise(TerrainEstimate& estimate, std::size_t bin, PolledWork& work)
 double drawNormal(std::mt19937_64& rng)
 {
     const double u = std::clamp(randomUnit(rng), 1e-9, 1.0 - 1e-9);
-    return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u);
-}
-
-double shareBelow(double z)
-{
-    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+    return normalQuantile(u);
 }
 
 /// Returns the end of the bins ahead of a reading that are neither felt nor measured.
@@ -148,7 +142,7 @@ double hazardProbability(double offset, double sd, double logDensity, bool isCov
     const double size = std::abs(offset);
     const double r = std::max(rate, kLeastHazardRate);
     const double density =
-        (isCovered ? 1.0 : 0.5) * shareBelow((size - kSmallestHazard) / sd)
+        (isCovered ? 1.0 : 0.5) * normalCdf((size - kSmallestHazard) / sd)
         / (std::max(size, kSmallestHazard) * std::log(kLargestHazard / kSmallestHazard));
     const double odds = std::log(r * density) - std::log1p(-r) - logDensity;
     return 1.0 / (1.0 + std::exp(-odds));

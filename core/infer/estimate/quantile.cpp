@@ -1,9 +1,7 @@
 #include "core/infer/estimate/quantile.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace terratact {
@@ -22,13 +20,6 @@ double quantileOfSorted(std::span<const double> sorted, double p)
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
-}
-
-double normalQuantile(double p)
-{
-    // Plain double arithmetic: 1e-15 is enough here, and far faster than long double.
-    using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-    return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, InDouble());
 }
 
 }  // namespace terratact

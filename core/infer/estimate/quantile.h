@@ -12,7 +12,4 @@ double quantile(std::vector<double> values, double p);
 /// Returns the same quantile of values that are in ascending order.
 double quantileOfSorted(std::span<const double> sorted, double p);
 
-/// Returns Φ⁻¹(p), the quantile of N(0, 1). p: between 0 and 1, without the ends.
-double normalQuantile(double p);
-
 }  // namespace terratact

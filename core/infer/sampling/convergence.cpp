@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/infer/estimate/quantile.h"
+#include "core/base/normal.h"
 
 namespace terratact {
 namespace {

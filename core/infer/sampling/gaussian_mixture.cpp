@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/base/normal.h"
 #include "core/base/random_unit.h"
 #include "core/infer/sampling/truncated_normal.h"
 #include "core/learn/gp/symmetric_eigen.h"
@@ -13,11 +14,6 @@
 namespace terratact {
 
 namespace {
-
-double standardNormalCdf(double z)
-{
-    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-}
 
 /// Returns a square root of a positive semi-definite matrix.
 Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& covariance)
@@ -75,7 +71,7 @@ double GaussianMixture::cdf(int i, double x) const
     const double sd = std::sqrt(std::max(covariance(i, i), 1e-300));
     double sum = 0.0;
     for (Eigen::Index k = 0; k < weight.size(); ++k)
-        sum += weight[k] * standardNormalCdf((x - mean(i, k)) / sd);
+        sum += weight[k] * normalCdf((x - mean(i, k)) / sd);
     return sum;
 }
 
@@ -100,7 +96,7 @@ double GaussianMixture::quantile(int i, double p) const
             if (z > 9.0)
                 below += weight[k];
             else if (z > -9.0) {
-                below += weight[k] * standardNormalCdf(z);
+                below += weight[k] * normalCdf(z);
                 density += weight[k] * std::exp(-0.5 * z * z);
             }
         }

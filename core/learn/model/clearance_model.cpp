@@ -1,13 +1,12 @@
 #include "core/learn/model/clearance_model.h"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/normal.h"
 #include "core/learn/gp/symmetric_eigen.h"
 #include "core/learn/kernels/hyperparameters.h"
 
@@ -282,7 +281,7 @@ void ClearanceModel::borrowBin(ResidualSample& sample, Eigen::Index first,
     const double sd = process(bin, covered).residualSd;
     for (std::size_t k = 0; k < lacking.size(); ++k) {
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(lacking.size());
-        const double quantile = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * share - 1.0);
+        const double quantile = normalQuantile(share);
         sample.residual(first + bin, lacking[k]) =
             donors.empty() ? sd * quantile : residuals_(bin, donors[k % donors.size()]);
     }
