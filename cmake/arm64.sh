@@ -40,7 +40,7 @@ configure() {
     ${MAINTAINER:+-D CPACK_PACKAGE_CONTACT="$MAINTAINER"}
 }
 
-built() { inside cmake --build $build --target "$@"; }
+built() { inside cmake --build $build --parallel "$(nproc)" --target "$@"; }
 
 # Prints the targets of the tests of the core: core.base, core.atem.panel_test, …
 core_tests() { inside ninja -C $build -t targets all | sed -n 's/^\(core\.[a-z0-9_.]*\): phony$/\1/p' | sort -u; }

@@ -19,7 +19,7 @@ begin_table "$out"
 build_inside() {
   local options=(-D TERRATACT_PACKAGE_VERSION="$version" ${HOMEPAGE:+-D TERRATACT_HOMEPAGE="$HOMEPAGE"}
     ${MAINTAINER:+-D CPACK_PACKAGE_CONTACT="$MAINTAINER"})
-  inside sh -c 'cd $0 && cmake --preset package "$@" && cmake --build --preset package' $sources "${options[@]}"
+  inside sh -c 'cd $0 && cmake --preset package "$@" && cmake --build --preset package --parallel "$(nproc)"' $sources "${options[@]}"
 }
 
 make_package() {
