@@ -13,8 +13,15 @@ inline constexpr double kStaleAfter = 0.15;
 inline constexpr double kLinkLostAfter = 0.25;
 
 /// Approval expiry [s]: a proposed probe waits this long for the operator, and an approval is valid
-/// this long. The gate checks it (core/atem/command_gate.h), and the exploration (core/atem/atem_machine.h).
+/// for less than this.
 inline constexpr double kApprovalExpiry = 30.0;
+
+/// Returns true if an approval of this age [s] is valid. One of negative or unknown (NaN) age is not. The gate and the
+/// exploration both ask this.
+constexpr bool isApprovalValid(double age, double expiry)
+{
+    return age >= 0.0 && age < expiry;
+}
 
 /// Probe threshold [m]: a bin with a larger standard deviation asks for the arm.  Source: section 4.4 of the paper.
 inline constexpr double kProbeThreshold = 0.06;

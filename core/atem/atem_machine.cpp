@@ -45,12 +45,6 @@ AtemState withoutLoop(AtemState state, LoopEnd end)
     return state;
 }
 
-/// Returns true for an expired approval. A negative age or NaN counts as expired.
-bool isStale(double approvalAge, const AtemLimits& limits)
-{
-    return !(approvalAge >= 0.0 && approvalAge < limits.approval);
-}
-
 /// Returns true if the approval was given for the present grounds.
 bool fits(const AtemInput& in)
 {
@@ -125,7 +119,7 @@ struct Tick {
     AtemState answered() const
     {
         if (in.refused) return enter(AtemPhase::Presenting);
-        if (late() || (in.approved && isStale(in.approvalAge, limits))) {
+        if (late() || (in.approved && !isApprovalValid(in.approvalAge, limits.approval))) {
             AtemState next = enter(AtemPhase::Presenting);
             next.approvalExpired = true;
             return next;

@@ -102,7 +102,7 @@ struct Judge {
         if (!view.robot->exploring) return NotExploring;
         if (view.robot->activity != RobotActivity::Pressed) return NotPressed;
         if (!view.approval) return NotApproved;
-        if (!isFresh(view.approval->age, limits.approvalAge)) return ApprovalExpired;
+        if (!isApprovalValid(view.approval->age, limits.approvalAge)) return ApprovalExpired;
         const bool isApproved =
             view.approval->bin == probe.bin && view.approval->side == probe.side;
         return isApproved ? None : OtherBin;

@@ -178,8 +178,8 @@ TEST(Gate, probesOnlyTheRecentlyApprovedBin)
     };
     EXPECT_EQ(with(std::nullopt), NotApproved);
     EXPECT_EQ(with(ProbeApproval{8, 0.0}), None);
-    EXPECT_EQ(with(ProbeApproval{8, 30.0}), None);
-    EXPECT_EQ(with(ProbeApproval{8, 30.001}), ApprovalExpired);
+    EXPECT_EQ(with(ProbeApproval{8, 29.999}), None);
+    EXPECT_EQ(with(ProbeApproval{8, 30.0}), ApprovalExpired) << "as in the exploration";
     EXPECT_EQ(with(ProbeApproval{8, -0.001}), ApprovalExpired);
     EXPECT_EQ(with(ProbeApproval{8, kNan}), ApprovalExpired);
     EXPECT_EQ(with(ProbeApproval{.bin = 8}), ApprovalExpired) << "of unknown age";
