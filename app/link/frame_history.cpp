@@ -10,14 +10,14 @@
 namespace terratact {
 namespace {
 
-constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
 TappedFrame emptyFrame(const FrameLayout& layout, FrameKind kind)
 {
     TappedFrame frame;
     frame.kind = kind;
     frame.payload.resize(layout.payload.size());
-    for (TappedSignal& signal : frame.payload) signal.history.fill(kGap);
+    for (TappedSignal& signal : frame.payload) signal.history.fill(kNoValue);
     return frame;
 }
 
@@ -107,7 +107,7 @@ void FrameHistory::step(double now)
         kept.counts[place] = kept.frame.frames;
         const bool fresh = kept.usedAt && now - *kept.usedAt <= kFresh && kept.frame.isMeasured;
         for (TappedSignal& signal : kept.frame.payload)
-            signal.history[point_] = fresh && signal.last ? static_cast<float>(*signal.last) : kGap;
+            signal.history[point_] = fresh && signal.last ? static_cast<float>(*signal.last) : kNoValue;
     }
     foreign_.step(now, ticks_, point_);
     point_ = (point_ + 1) % TappedSignal::kPoints;
