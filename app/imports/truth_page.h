@@ -44,7 +44,6 @@ public:
     QTableView* table() const { return table_; }
     TruthView* view() const { return view_; }
     QPushButton* acceptButton() const { return accept_; }
-    QPushButton* excludeButton() const { return exclude_; }
     QPushButton* aheadButton() const { return ahead_; }
     QPushButton* backButton() const { return back_; }
     QPushButton* undoButton() const { return undo_; }

@@ -47,7 +47,6 @@ public:
     QComboBox* sets() const { return sets_; }
     QPushButton* dockButton() const { return dock_; }
     QPushButton* saveButton() const { return save_; }
-    QPushButton* newPlotButton() const { return newPlot_; }
     QPushButton* removeButton() const { return remove_; }
     QPushButton* liveButton() const { return live_; }
     QLabel* note() const { return note_; }

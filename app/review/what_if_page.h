@@ -48,7 +48,6 @@ public:
     QComboBox* model() const { return model_; }
     QDoubleSpinBox* threshold() const { return threshold_; }
     QLineEdit* seed() const { return seed_; }
-    QPushButton* estimateButton() const { return estimate_; }
     QPushButton* cancelButton() const { return cancel_; }
     QLabel* result() const { return result_; }
     QTableWidget* table() const { return table_; }

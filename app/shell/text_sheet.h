@@ -28,7 +28,6 @@ public:
 
     QScrollArea* area() const { return area_; }
     QPushButton* copyButton() const { return copy_; }
-    QPushButton* closeButton() const { return close_; }
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -28,7 +28,6 @@ public:
 
     QPushButton* armButton() const { return arm_; }
     HoldToConfirmButton* confirmButton() const { return confirm_; }
-    QPushButton* disarmButton() const { return disarm_; }
 
     /// Press and release of the window-wide key. A press right after a release is not a second action: some X servers
     /// repeat held keys so. A press that cannot arm says why (impossible()).

@@ -58,7 +58,6 @@ public:
 
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
-    QPushButton* askButton() const { return ask_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
     /// Returns the button whose menu looks up the preconditions of a command.

@@ -28,7 +28,6 @@ public:
     QPushButton* acknowledgeButton() const { return acknowledge_; }
     QPushButton* acknowledgeAllButton() const { return all_; }
     QPushButton* silenceButton(int minutes) const { return minutes == 1 ? one_ : two_; }
-    QCheckBox* soundBox() const { return sound_; }
     QPushButton* trySoundButton() const { return try_; }
 
 signals:

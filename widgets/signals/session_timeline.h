@@ -60,7 +60,6 @@ public:
 
     double first() const { return first_; }
     double last() const { return last_; }
-    double playhead() const { return playhead_; }
     /// Convert a time [s] to a pixel column and back; exact within the visible range.
     double pixelOf(double seconds) const;
     double secondsAt(double pixel) const;

@@ -40,15 +40,11 @@ public:
     QDoubleSpinBox* thresholdBox() const { return threshold_; }
     QDoubleSpinBox* obstacleBox() const { return obstacle_; }
     QLabel* lettersNote() const { return lettersNote_; }
-    QCheckBox* recordBox() const { return record_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
     QSpinBox* secondsBox() const { return seconds_; }
     QComboBox* languageBox() const { return language_; }
-    QComboBox* lengthsBox() const { return lengths_; }
-    QComboBox* anglesBox() const { return angles_; }
     QPushButton* defaultsButton() const { return defaults_; }
-    QPushButton* filesButton() const { return files_; }
     QString modelCard() const;
 
 signals:

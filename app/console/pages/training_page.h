@@ -43,9 +43,7 @@ public:
     QLineEdit* scenesField() const { return scenes_; }
     QLineEdit* testField() const { return test_; }
     QLineEdit* nameField() const { return name_; }
-    QSpinBox* seedField() const { return seed_; }
     QPushButton* scenesButton() const { return chooseScenes_; }
-    QPushButton* testButton() const { return chooseTest_; }
     QPushButton* startButton() const { return start_; }
     QPushButton* cancelButton() const { return cancel_; }
     QPushButton* compareButton() const { return compare_; }
