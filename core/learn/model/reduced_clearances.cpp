@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kFewRows = 800;  ///< a regime with fewer rows keeps all rows
+constexpr std::size_t kKeptWhole = 800;  ///< a regime with fewer rows keeps all rows
 
 /// Returns the model's hyper-parameters with length scales between these bounds. A feature that the
 /// missing ones made redundant has a length scale of hundreds, and must have an effect again.
@@ -34,7 +34,7 @@ std::vector<int> chosenRows(const SurfaceData& model)
     for (int bin = 0; bin < kBins; ++bin)
         for (const bool covered : {false, true}) {
             const std::vector<int> own = rowsOf(model, bin, covered);
-            if (own.size() > kFewRows) continue;
+            if (own.size() > kKeptWhole) continue;
             for (const int u : own) chosen[static_cast<std::size_t>(u)] = true;
         }
     if (holdsSides(model))  // both sides of a scene
