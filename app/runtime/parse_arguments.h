@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "app/runtime/print_text.h"
 #include "core/base/text.h"
@@ -37,7 +38,7 @@ inline void refuseImpossibleNumbers(const CLI::App& app)
 }
 
 /// Parses the arguments, and throws for impossible numbers. Since CLI11 2.4, some of these fail while they are parsed,
-/// without a reason.
+/// without a reason. An unknown word is named before what is missing: "simulat" is why there is no subcommand.
 inline void parseNumbers(CLI::App& app, int argc, char** argv)
 {
     try {
@@ -45,6 +46,10 @@ inline void parseNumbers(CLI::App& app, int argc, char** argv)
     } catch (const CLI::ConversionError&) {
         refuseImpossibleNumbers(app);
         throw;
+    } catch (const CLI::RequiredError&) {
+        const std::vector<std::string> unknown = app.remaining(true);
+        if (unknown.empty()) throw;
+        throw CLI::ExtrasError(unknown);
     }
     refuseImpossibleNumbers(app);
 }

@@ -54,6 +54,12 @@ class Commands(unittest.TestCase):
                           ("reconstruct", "--data", "x", "--out", "y", "--chains", "0")):
             self.assertTrue(complaint(*arguments, code=2))
 
+    def test_an_unknown_word_is_named_before_what_is_missing(self):
+        self.assertIn("simulat", complaint("simulat", "--terrain", "boxes", code=2))
+        self.assertIn("lists", complaint("session", "lists", code=2))
+        self.assertIn("--tarrain", complaint("simulate", "--tarrain", "boxes", code=2))
+        self.assertIn("subcommand is required", complaint(code=2))
+
     def limited(self, megabytes, *arguments):
         """Returns (exit code, stderr) with limited address space (ulimit -v); a program that hangs fails the test."""
         limit = megabytes << 20
