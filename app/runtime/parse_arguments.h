@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <optional>
@@ -37,6 +38,15 @@ inline void refuseImpossibleNumbers(const CLI::App& app)
     for (const CLI::App* const below : app.get_subcommands()) refuseImpossibleNumbers(*below);
 }
 
+/// Throws for words that no option or subcommand takes, in the order of the arguments.
+inline void refuseUnknownWords(const CLI::App& app)
+{
+    std::vector<std::string> unknown = app.remaining(true);
+    if (unknown.empty()) return;
+    std::reverse(unknown.begin(), unknown.end());  // CLI11 joins them from the last to the first
+    throw CLI::ExtrasError(unknown);
+}
+
 /// Parses the arguments, and throws for impossible numbers. Since CLI11 2.4, some of these fail while they are parsed,
 /// without a reason. An unknown word is named before what is missing: "simulat" is why there is no subcommand.
 inline void parseNumbers(CLI::App& app, int argc, char** argv)
@@ -47,9 +57,11 @@ inline void parseNumbers(CLI::App& app, int argc, char** argv)
         refuseImpossibleNumbers(app);
         throw;
     } catch (const CLI::RequiredError&) {
-        const std::vector<std::string> unknown = app.remaining(true);
-        if (unknown.empty()) throw;
-        throw CLI::ExtrasError(unknown);
+        refuseUnknownWords(app);
+        throw;
+    } catch (const CLI::ExtrasError&) {
+        refuseUnknownWords(app);
+        throw;
     }
     refuseImpossibleNumbers(app);
 }

@@ -55,7 +55,8 @@ class Commands(unittest.TestCase):
             self.assertTrue(complaint(*arguments, code=2))
 
     def test_an_unknown_word_is_named_before_what_is_missing(self):
-        self.assertIn("simulat", complaint("simulat", "--terrain", "boxes", code=2))
+        self.assertIn(": simulat --terrain boxes", complaint("simulat", "--terrain", "boxes", code=2))
+        self.assertIn(": --bogus a b", complaint("simulate", "--out", "x", "--bogus", "a", "b", code=2))
         self.assertIn("lists", complaint("session", "lists", code=2))
         self.assertIn("--tarrain", complaint("simulate", "--tarrain", "boxes", code=2))
         self.assertIn("subcommand is required", complaint(code=2))
