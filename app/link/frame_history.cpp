@@ -107,7 +107,8 @@ void FrameHistory::step(double now)
         kept.counts[place] = kept.frame.frames;
         const bool fresh = kept.usedAt && now - *kept.usedAt <= kFresh && kept.frame.isMeasured;
         for (TappedSignal& signal : kept.frame.payload)
-            signal.history[point_] = fresh && signal.last ? static_cast<float>(*signal.last) : kNoValue;
+            signal.history[point_] =
+                fresh && signal.last ? static_cast<float>(*signal.last) : kNoValue;
     }
     foreign_.step(now, ticks_, point_);
     point_ = (point_ + 1) % TappedSignal::kPoints;
