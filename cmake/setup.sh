@@ -23,6 +23,7 @@ gpiod_prefix=$PWD/.deps/libgpiod2
 log=$PWD/.deps/setup.log
 qmake=qmake6
 os_release=/etc/os-release
+keyrings=/usr/share/keyrings
 
 declare -A packages=(
   [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libhwy-dev libnlopt-dev
@@ -111,14 +112,14 @@ describe_archive() {
     awk '{ print (/ubuntu/ ? "ubuntu" : "debian"), $NF }')
   # shellcheck disable=SC2016
   mirror=$(apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
-    awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }')
+    awk -v release="$release" '$1 == release || $1 ~ /^((old)*stable|testing|unstable|sid)$/ { print $2; exit }')
   if [ "$id" = ubuntu ]; then
     mirror=$(sed 's|//ports\.|//archive.|; s|/ubuntu-ports|/ubuntu|' <<<"$mirror")
-    keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg
+    keyring=$keyrings/ubuntu-archive-keyring.gpg
     components="main universe"
     suites="$release devel"
   else
-    keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+    keyring=$keyrings/debian-archive-keyring.gpg
     components=main
     suites="$release trixie forky sid"
   fi
@@ -128,7 +129,8 @@ describe_archive() {
 
 # fetch_source PACKAGE LEAST DIR: puts a source tarball of the major version of LEAST into DIR. It comes from the first
 # suite that has LEAST or newer, through a private set of apt lists. apt trusts only an index that the archive's key
-# signed, and checks the tarball by that index; nothing relaxes this, not even the machine's configuration.
+# signed, and checks the tarball by that index. The machine's configuration cannot relax this. An index may be old:
+# a mirror may stand still, and the tarball is checked all the same.
 fetch_source() {
   local package=$1 least=$2 dir=$3 suite version mirror keyring components suites
   describe_archive
@@ -217,7 +219,7 @@ if [ "${1:-}" = --arch ]; then
 fi
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, unit, test, tidy, package, publish, kernel, cluster)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, unit, test, tidy, package, publish, kernel, cluster, scans)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done
