@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Functions for scripts that work in a minimal Debian of a release, deleted at the end unless its folder is named. debootstrap makes it, from $MIRROR
 # and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. The tools
 # are installed if they are missing. If $STEPS names a file, each step adds a line to it: release, step, seconds.
@@ -9,6 +10,7 @@ root=
 keep=
 emulator=  # runs the programs of another architecture
 sources=/usr/src/terratact  # in the root
+commit=$(git rev-parse HEAD)  # of all roots that the script makes
 
 # step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits. The command runs
 # in a process of its own, because bash ignores `set -e` in a function on the left of ||.
@@ -58,7 +60,7 @@ make_root() {
 copy_sources() {
   mkdir -p "$root$sources"
   find "$root$sources" -mindepth 1 -maxdepth 1 ! -name .deps -exec rm -rf {} +
-  git archive HEAD | tar -x -C "$root$sources"
+  git archive "$commit" | tar -x -C "$root$sources"
   step "apt-get update" inside apt-get -q update
   [ -n "${CCACHE_DIR:-}" ] || return 0
   mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"

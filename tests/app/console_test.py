@@ -75,7 +75,8 @@ class Console(unittest.TestCase):
     def started(self, folder, *arguments, until):
         """Starts the console with its preferences in folder, and ends it once until() is true."""
         console = subprocess.Popen([CONSOLE, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                   env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "XDG_CONFIG_HOME": folder})
+                                   env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "XDG_CONFIG_HOME": folder,
+                                        "XDG_STATE_HOME": os.path.join(folder, "state")})
         try:
             deadline = time.monotonic() + 60
             while not until() and time.monotonic() < deadline:
