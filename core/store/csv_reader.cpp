@@ -50,16 +50,19 @@ std::string_view lineOf(std::string_view text)
 }
 
 /// Returns true for a comment with as many fields as the numbers below it: NumPy writes its header
-/// that way.
+/// that way. below: the text behind the comment.
 bool namesColumns(std::string_view remark, std::string_view below)
 {
+    if (!remark.starts_with('#')) return false;
+    below.remove_prefix(std::min(below.find_first_not_of(kLineEnds), below.size()));
+    below = lineOf(below);
     const auto separators = [](std::string_view text) {
         const SeparatorCounts counts = countSeparators(text);
         return std::max({counts.commas, counts.semicolons, counts.tabs});
     };
     const std::string_view first = below.substr(0, below.find_first_of(",;\t"));
-    return remark.starts_with('#') && separators(remark) > 0
-        && separators(remark) == separators(below) && csvNumber(withoutBlanks(first), true);
+    return separators(remark) > 0 && separators(remark) == separators(below)
+        && csvNumber(withoutBlanks(first), true);
 }
 
 }  // namespace
@@ -131,9 +134,7 @@ void CsvReader::skipRemarks()
     while (!rest_.empty()) {
         const std::string_view line = lineOf(rest_);
         if (!line.starts_with('#') && !withoutBlanks(line).empty()) return;
-        std::string_view below = rest_.substr(line.size());
-        below.remove_prefix(std::min(below.find_first_not_of(kLineEnds), below.size()));
-        if (namesColumns(line, lineOf(below))) {
+        if (namesColumns(line, rest_.substr(line.size()))) {
             rest_.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
             return;
         }

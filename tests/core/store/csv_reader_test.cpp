@@ -7,6 +7,7 @@
 #include "core/store/csv_text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thread_time.h"
 
 namespace terratact {
 namespace {
@@ -250,6 +251,16 @@ TEST(CsvReader, endsAtControlZAndIgnoresEmptyColumns)
     const Result<CsvReader> csv = atSecond("a,b,,\n1,2,,\n", {"m", "m"});
     ASSERT_TRUE(csv);
     EXPECT_EQ(csv->fields().size(), 2U);
+}
+
+TEST(CsvReader, blankLinesAboveAHeaderCostTimeInProportion)
+{
+    const double began = threadMilliseconds();
+    const std::string blank(1'000'000, '\n');
+    EXPECT_EQ(linesIn(blank + "a,b\n1,2\n"), (Lines{{"a", "b"}, {"1", "2"}}));
+    EXPECT_EQ(linesIn("# above\n" + blank + "# and below\na,b\n1,2\n"),
+              (Lines{{"a", "b"}, {"1", "2"}}));
+    EXPECT_LT(threadMilliseconds() - began, 10'000.0) << "quadratic, it takes minutes";
 }
 
 }  // namespace
