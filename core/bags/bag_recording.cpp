@@ -87,7 +87,8 @@ std::optional<BagRecord> nextRecord(ByteCursor& in)
 
 class BagRecording final : public Recording {
 public:
-    BagRecording(const std::string& path, BagFile file) : Recording(path), file_(std::move(file))
+    BagRecording(const std::string& path, BagFile file)
+        : Recording(path), file_(std::move(file)), unpacker_(file_.size())
     {
         readIndex();
         file_.goTo(kBagVersion.size());
@@ -230,7 +231,7 @@ private:
         if (!file_.read(size, kMaxChunkBytes, data_))
             done = Error{fmt::format("has {} bytes, more than {}", size, kMaxChunkBytes)};
         else
-            done = decompress(fields.text("compression"), data_, chunk_);
+            done = unpacker_.unpack(fields.text("compression"), data_, chunk_);
         const auto declared = fields.number<std::uint32_t>("size");
         if (done && declared && *declared != chunk_.size())
             done =
@@ -278,6 +279,7 @@ private:
     }
 
     BagFile file_;
+    ChunkUnpacker unpacker_;
     std::map<std::uint32_t, std::size_t> topicOf_;  ///< by connection
     std::map<std::uint64_t, std::vector<std::uint32_t>>
         chunks_;  ///< connections, by the chunk's offset

@@ -94,9 +94,9 @@ Status fromZstd(std::string_view bytes, Expanded& into)
         if (ZSTD_isError(wanted) != 0)
             return Error{fmt::format("is no Zstandard: {}", ZSTD_getErrorName(wanted))};
         if (!into.add(piece->data(), out.pos)) return into.tooLarge();
-        const bool isAll = in.pos == in.size && out.pos < out.size;
-        if (isAll && wanted == 0) return Done{};
-        if (isAll) return cutChunk("Zstandard");
+        if (in.pos < in.size) continue;
+        if (wanted == 0) return Done{};  // the frame is complete, and all of it came out
+        if (out.pos < out.size) return cutChunk("Zstandard");
     }
 }
 
@@ -137,6 +137,25 @@ Status decompress(std::string_view method, std::string_view bytes, std::string& 
     if (method == "bz2") return fromBzip2(bytes, out);
     return Error{
         fmt::format("has the compression {}, expected none, lz4, zstd or bz2", shown(method))};
+}
+
+ChunkUnpacker::ChunkUnpacker(std::uint64_t recordingBytes)
+    : most_(std::max(kSmallRecordingBytes, kMaxRecordingExpansion * recordingBytes)), left_(most_)
+{
+}
+
+Status ChunkUnpacker::unpack(std::string_view method, std::string_view bytes, std::string& into)
+{
+    into.clear();
+    Status done = left_ > 0 ? decompress(method, bytes, into) : Status(Done{});
+    if (left_ > 0 && into.size() <= left_) {
+        left_ -= into.size();
+        return done;
+    }
+    left_ = 0;
+    into.clear();
+    return Error{fmt::format(
+        "would unpack the recording to more than {} bytes, which is no recording", most_)};
 }
 
 }  // namespace terratact

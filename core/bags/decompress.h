@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -21,5 +22,22 @@ inline constexpr std::size_t kSmallChunkBytes = std::size_t{16} << 20U, kMaxExpa
 /// Errors: an unknown method, bytes that the method cannot read, bytes that end too early, or more than
 /// that. `into` then holds what came out before.
 Status decompress(std::string_view method, std::string_view bytes, std::string& into);
+
+/// Decompresses the chunks of one recording, which together yield no more than kSmallRecordingBytes or
+/// kMaxRecordingExpansion times its size. So time does not grow with what a small file repeats.
+class ChunkUnpacker {
+public:
+    static constexpr std::uint64_t kSmallRecordingBytes = std::uint64_t{64} << 20U;
+    static constexpr std::uint64_t kMaxRecordingExpansion = 200;
+
+    /// recordingBytes: size of the file
+    explicit ChunkUnpacker(std::uint64_t recordingBytes);
+
+    /// decompress(), and the error that the recording yields too much. Then no further chunk is unpacked.
+    Status unpack(std::string_view method, std::string_view bytes, std::string& into);
+
+private:
+    std::uint64_t most_, left_;
+};
 
 }  // namespace terratact

@@ -105,7 +105,7 @@ private:
 class McapRecording final : public Recording {
 public:
     McapRecording(const std::string& path, BagFile file)
-        : Recording(path), file_(std::move(file)), channels_(topics_)
+        : Recording(path), file_(std::move(file)), unpacker_(file_.size()), channels_(topics_)
     {
         readSummary();
         file_.goTo(kMcapMagic.size());
@@ -282,7 +282,7 @@ private:
         const std::string method(in.text());
         const std::string_view bytes = in.bytes(in.number<std::uint64_t>());
         if (!in.isValid()) return leaveOut("is cut");
-        if (const Status done = decompress(method, bytes, chunk_); !done)
+        if (const Status done = unpacker_.unpack(method, bytes, chunk_); !done)
             return leaveOut(done.error().text);
         if (chunk_.size() != size)
             return leaveOut(fmt::format("has {} bytes where it declares {}", chunk_.size(), size));
@@ -313,6 +313,7 @@ private:
     }
 
     BagFile file_;
+    ChunkUnpacker unpacker_;
     McapChannels channels_;
     std::map<std::uint64_t, ChunkPlace> chunks_;
     std::string record_;

@@ -170,5 +170,34 @@ TEST(Decompress, everyCutIsRefused)
         EXPECT_FALSE(decompress("lz4", std::string_view(lz4).substr(0, n), out)) << n;
 }
 
+TEST(Decompress, aSmallRecordingUnpacksToABoundedSize)
+{
+    const std::string chunk = packed("zstd", std::string(8U << 20U, 'x'));
+    ChunkUnpacker unpacker(10'000);
+    std::string into;
+    for (std::uint64_t bytes = 0; bytes < ChunkUnpacker::kSmallRecordingBytes; bytes += into.size())
+        ASSERT_TRUE(unpacker.unpack("zstd", chunk, into));
+    for (int i = 0; i < 2; ++i) {
+        const Status done = unpacker.unpack("zstd", chunk, into);
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().text,
+                  "would unpack the recording to more than 67108864 bytes, which is no recording");
+        EXPECT_TRUE(into.empty());
+    }
+    ChunkUnpacker large(1'000'000'000);
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(large.unpack("zstd", chunk, into));
+}
+
+TEST(Decompress, fullPiecesOfEveryMethodAreWhole)
+{
+    for (const char* const method : {"lz4", "zstd", "bz2"})
+        for (const std::size_t pieces : {1, 2, 16}) {
+            const std::string plain(pieces * 65'536, 'x');  // as the buffer
+            std::string out;
+            EXPECT_TRUE(decompress(method, packed(method, plain), out)) << method << pieces;
+            EXPECT_EQ(out, plain) << method << pieces;
+        }
+}
+
 }  // namespace
 }  // namespace terratact
