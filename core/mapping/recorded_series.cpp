@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include "core/base/text.h"
@@ -46,6 +48,9 @@ public:
     SeriesReader(Recording& recording, const Mapping& mapping, const RobotModel& robot)
         : recording_(recording), mapping_(mapping), robot_(robot), transforms_(mapping.maxGap)
     {
+        std::error_code none;
+        const std::uintmax_t bytes = std::filesystem::file_size(recording.path(), none);
+        most_ = mostSamples(none ? 0 : bytes);
         for (std::size_t q = 0; q < kQuantities; ++q)
             if (mapping.fields[q]) addField(q);
         for (std::size_t side = 0; side < mapping.forces.size(); ++side)
@@ -138,11 +143,10 @@ private:
             if (reader.source->topic == topic) addValue(reader, *value, time);
         recorded_ = message.time;
         addPoses(topic, *value, time);
-        if (samples_ > kMaxSamples)
+        if (samples_ > most_)
             return fileError(
                 recording_.path(),
-                fmt::format("has more than {} mapped values; cut it into shorter files",
-                            kMaxSamples));
+                fmt::format("has more than {} mapped values; cut it into shorter files", most_));
         return Done{};
     }
 
@@ -436,10 +440,15 @@ private:
     std::string attitudeFrame_;
     std::int64_t recorded_ = 0;  ///< [ns] time of the message that is read
     TransformTree transforms_;
-    std::size_t samples_ = 0;
+    std::uintmax_t samples_ = 0, most_ = 0;
 };
 
 }  // namespace
+
+std::uintmax_t mostSamples(std::uintmax_t recordingBytes)
+{
+    return std::clamp(recordingBytes, std::uintmax_t{1'000'000}, std::uintmax_t{kMaxSamples});
+}
 
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot)

@@ -330,5 +330,12 @@ TEST_F(SeriesFiles, anImuOnAMovingPartIsMountedAtEachTime)
         << remarks[0];
 }
 
+TEST(MostSamples, growsWithTheRecordingWithinLimits)
+{
+    EXPECT_EQ(mostSamples(0), 1'000'000U);
+    EXPECT_EQ(mostSamples(3'000'000), 3'000'000U);
+    EXPECT_EQ(mostSamples(1'000'000'000'000), kMaxSamples);
+}
+
 }  // namespace
 }  // namespace terratact
