@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxPcdFields = 256, kMaxPcdHeaderLines = 200;
 constexpr std::uint64_t kMaxPcdPoint = 65'536;  // [bytes]
+// Most bytes that compressed ones may become: kSmallPcd, or kMaxPcdExpansion times as many.
+constexpr std::uint64_t kSmallPcd = std::uint64_t{16} << 20U, kMaxPcdExpansion = 32;
 
 struct PcdField {
     std::string name;
@@ -357,6 +359,10 @@ Result<std::unique_ptr<CloudReader>> openCompressedPcd(CloudFile file, PcdHeader
             fmt::format("declares {} points of {} bytes, but {} bytes behind the header: "
                         "correct POINTS, SIZE and COUNT",
                         *header.points, header.stride, unpacked));
+    if (unpacked > std::max(kSmallPcd, kMaxPcdExpansion * packed))
+        return file.error(fmt::format(
+            "has {} bytes that unpack to {}, which is no cloud: write it again as DATA binary",
+            packed, unpacked));
     if (packed > file.left())
         return file.error(fmt::format(
             "has {} of its {} compressed bytes: it is cut; write it again", file.left(), packed));

@@ -106,11 +106,13 @@ private:
         std::string name, count;
         words >> name >> count;
         const auto number = integerFrom<std::uint64_t>(count);
-        if (!number || *number > kMaxCloudPoints || header_.elements.size() == kMaxPlyElements)
+        if (!number || *number > kMaxCloudPoints)
             return file_.lineError(
-                fmt::format("element {} has the number {}: a number was expected, of at "
-                            "most {} elements",
-                            shown(name), shown(count), kMaxPlyElements));
+                fmt::format("element {} has the number {}: a number up to {} was expected",
+                            shown(name), shown(count), kMaxCloudPoints));
+        if (header_.elements.size() == kMaxPlyElements)
+            return file_.lineError(fmt::format("element {} is one more than the {} that are read",
+                                               shown(name), kMaxPlyElements));
         header_.elements.push_back({name, *number, {}});
         return Done{};
     }

@@ -75,6 +75,15 @@ Result<SceneGrid> SceneGrid::over(const RobotModel& robot, std::vector<ScenePlac
                         places.size(), most),
             0};
     SceneGrid grid(robot, std::move(places), cells);
+    for (const auto& [square, over] : grid.over_)
+        if (over.size() > kMostOverOnePlace) {
+            const Eigen::Vector3d& at = grid.places_[over.front()].imu;
+            return Error{fmt::format("{} scenes lie over the same ground, near x {:.1f} m, y "
+                                     "{:.1f} m; at most {} may: "
+                                     "name a --run, or split the scenes",
+                                     over.size(), at.x(), at.y(), kMostOverOnePlace),
+                         0};
+        }
     for (const ScenePlace& place : grid.places_) grid.lowerCeilings(place, true);
     for (const ScenePlace& pass : passes) grid.lowerCeilings(pass, false);
     return grid;

@@ -125,6 +125,10 @@ TEST_F(Clouds, damagedCompressionIsNamed)
     copy[body] = '\x3f';
     copy[body + 1] = '\x7f';
     EXPECT_TRUE(refuses(copy, {"copy from before their beginning at byte"}));
+    EXPECT_TRUE(refuses(header("x y z", "3000000", "binary_compressed")
+                            + bytesOf(std::uint32_t{100}) + bytesOf(std::uint32_t{36'000'000})
+                            + std::string(100, '\0'),
+                        {"has 100 bytes that unpack to 36000000, which is no cloud"}));
     EXPECT_TRUE(refuses(header("x y z", "501", "binary_compressed") + compressed(manyPoints(500)),
                         {"declares 501 points of 12 bytes, but 6000 bytes"}));
 }
@@ -204,6 +208,11 @@ TEST_F(Clouds, everyRefusalSaysWhatToDo)
     EXPECT_TRUE(refuses("VERSION 0.7\nFIELDS x y z\n", {"no line DATA"}));
     EXPECT_TRUE(refuses("ply\nformat binary 2.0\n", {"line 2: format is 'binary'"}));
     EXPECT_TRUE(refuses("ply\nformat ascii 1.0\nend_header\n", {"no element vertex"}));
+    std::string many = "ply\nformat ascii 1.0\n";
+    for (int i = 0; i < 17; ++i) many += "element e" + std::to_string(i) + " 0\n";
+    EXPECT_TRUE(refuses(many, {"line 19: element 'e16' is one more than the 16 that are read"}));
+    EXPECT_TRUE(refuses("ply\nformat ascii 1.0\nelement vertex x\n",
+                        {"element 'vertex' has the number 'x'"}));
     EXPECT_TRUE(refuses("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\n",
                         {"line 4: property"}));
 }

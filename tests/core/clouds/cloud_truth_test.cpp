@@ -222,5 +222,22 @@ TEST(LaserTruth, aCellKeepsABoundedFairSample)
     EXPECT_NEAR(mean, -0.25, 0.015) << "early points are as likely as late ones";
 }
 
+TEST(LaserTruth, manyScenesOverOnePlaceAreRefused)
+{
+    const RobotModel robot = absolem();
+    const auto over = [&](std::size_t scenes, double spacing) {
+        std::vector<ScenePlace> places;
+        for (std::size_t i = 0; i < scenes; ++i)
+            places.push_back(
+                placeOf(robot, i, {}, {.place = {spacing * static_cast<double>(i), 0.0, 0.0}}));
+        return SceneGrid::over(robot, std::move(places));
+    };
+    const auto grid = over(SceneGrid::kMostOverOnePlace + 1, 0.0);
+    ASSERT_FALSE(grid);
+    EXPECT_NE(grid.error().text.find("501 scenes lie over the same ground"), std::string::npos)
+        << grid.error().text;
+    EXPECT_TRUE(over(SceneGrid::kMostOverOnePlace + 1, 0.1));
+}
+
 }  // namespace
 }  // namespace terratact
