@@ -69,6 +69,9 @@ std::string printable(std::string_view text);
 /// Returns the same for a text of several lines; line ends are kept.
 std::string printableLines(std::string_view text);
 
+/// Returns the text with the letters A to Z in lower case.
+std::string lowerCase(std::string_view text);
+
 /// Returns the first bytes of a text, at most `most`, without a split UTF-8 character.
 std::string_view beginningOf(std::string_view text, std::size_t most);
 

@@ -49,6 +49,10 @@ struct SessionWriter::Impl {
 
     void start(SessionTime time)
     {
+        if (time < -kMaxSessionTime || time > kMaxSessionTime)
+            throw SqliteError(TR_NOOP(
+                "core", "a row lies more than 36 years from the session's begin, which no reader "
+                        "takes: split the recording, or mend its clock"));
         if (!open) {
             begin.run();
             open = true;

@@ -30,15 +30,6 @@ std::string_view withoutPadding(std::string_view text)
     return text;
 }
 
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
-
 SeparatorCounts countSeparators(std::string_view line)
 {
     SeparatorCounts counts;

@@ -17,8 +17,6 @@ std::string_view withoutBlanks(std::string_view text, std::string_view blanks = 
 std::string_view withoutPadding(std::string_view text);
 /// Returns a unit without blanks and without the brackets around it.
 std::string_view withoutBrackets(std::string_view text);
-/// Returns the text with the letters A to Z in lower case.
-std::string lowerCase(std::string_view text);
 
 /// Returns the number that the text spells, without its padding. A decimal comma is allowed only if
 /// `commaIsDecimal`.

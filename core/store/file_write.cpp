@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/system_message.h"
+#include "core/base/text.h"
 #include "core/store/content_kind.h"
 #include "core/store/unfinished_files.h"
 
@@ -78,14 +79,16 @@ int flushToDisk(const std::string& path, int flags)
     return 0;
 }
 
-/// Returns true for the name of a session, or of a file that SQLite keeps beside one.
 bool isSessionName(const std::string& path)
 {
-    std::string name = std::filesystem::path(path).filename().string();
-    std::ranges::transform(name, name.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    return std::ranges::any_of(std::array{".tts", ".tts-wal", ".tts-shm", ".tts-journal"},
+    return lowerCase(std::filesystem::path(path).filename().string()).ends_with(".tts");
+}
+
+/// Returns true for the name of a file that SQLite keeps beside a session.
+bool isJournalName(const std::string& path)
+{
+    const std::string name = lowerCase(std::filesystem::path(path).filename().string());
+    return std::ranges::any_of(std::array{".tts-wal", ".tts-shm", ".tts-journal"},
                                [&name](const char* ending) { return name.ends_with(ending); });
 }
 
@@ -174,6 +177,9 @@ Status checkLinks(const std::string& path)
 Status checkReplaceable(const std::string& path)
 {
     if (Status direct = checkLinks(path); !direct) return direct;
+    if (isJournalName(path))
+        return cannotWrite(
+            path, TR_NOOP("core", "it has the name of a session's journal: name another file"), 0);
     struct stat old {};
     if (::stat(path.c_str(), &old) != 0) return Done{};
     if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -304,25 +305,46 @@ void SqliteFile::grantBytes(int times)
     *bytesLeft_ = times * size_;
 }
 
+/// Checks that no file has the name that SQLite would give to one beside a new file.
+void SqliteFile::requireNothingBeside(const std::string& path)
+{
+    for (const char* const end : {"-wal", "-shm", "-journal"}) {
+        const std::string beside = besideFile(path, end);
+        std::error_code none;
+        if (std::filesystem::exists(std::filesystem::symlink_status(beside, none)))
+            throw SqliteError(Message(
+                TR_NOOP("core", "%1 is there already, and belongs to a file of this name: name "
+                                "another file"),
+                printable(std::filesystem::path(beside).filename().string())));
+    }
+}
+
 void SqliteFile::makeEmpty(const std::string& path)
 {
     const int made =
         ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (made < 0)
-        throw SqliteError(errno == EEXIST ? Message(TR_NOOP("core", "is there already"))
-                                          : Message(TR_NOOP("core", "cannot be created: %1"),
-                                                    systemMessage(errno)));
+        throw SqliteError(
+            errno == EEXIST
+                ? Message(TR_NOOP("core", "is there already: name another file"))
+                : Message(TR_NOOP("core", "cannot be created: %1"), systemMessage(errno)));
     (void)::fchmod(made, S_IRUSR | S_IWUSR);  // the umask may have taken away more
     ::close(made);
 }
 
 SqliteFile SqliteFile::createLog(const std::string& path)
 {
+    requireNothingBeside(path);
     makeEmpty(path);
-    SqliteFile file(path, SQLITE_OPEN_READWRITE);
-    file.run("PRAGMA page_size = 8192");
-    file.journal();
-    return file;
+    try {
+        SqliteFile file(path, SQLITE_OPEN_READWRITE);
+        file.run("PRAGMA page_size = 8192");
+        file.journal();
+        return file;
+    } catch (...) {
+        ::unlink(path.c_str());
+        throw;
+    }
 }
 
 SqliteFile SqliteFile::reopenLog(const std::string& path)
@@ -398,6 +420,8 @@ std::string SqliteFile::structureFault()
     if (!statement.step()) throw SqliteError(TR_NOOP("core", "its structure cannot be checked"));
     std::string finding = statement.text(0);
     if (finding == "ok") return {};
+    constexpr std::string_view kNoMemory = "error code=7";  // SQLITE_NOMEM of a page
+    if (finding.find(kNoMemory) != std::string::npos) throw std::bad_alloc();
     std::replace(finding.begin(), finding.end(), '\n', ' ');
     return finding;
 }

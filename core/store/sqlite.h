@@ -91,6 +91,7 @@ public:
     std::int64_t size() const { return size_; }
 
     /// Creates an empty file for its owner only (mode 0600). It must not exist.
+    static void requireNothingBeside(const std::string& path);
     static void makeEmpty(const std::string& path);
 
     /// Opens an empty file to fill it and then rename it (core/store/file_write.h): no journal, no

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/system_message.h"
+
 namespace terratact {
 
 Message sqliteMessage(sqlite3* file)
@@ -26,6 +28,10 @@ Message sqliteMessage(sqlite3* file)
     if (sqlite3_errcode(file) == SQLITE_FULL)
         return TR_NOOP("core",
                        "the disk is full: free space on it, or name a file on another disk");
+    const int code = sqlite3_errcode(file) & 0xFF;  // without the extension
+    const int cause = sqlite3_system_errno(file);
+    if ((code == SQLITE_IOERR || code == SQLITE_CANTOPEN) && cause != 0)
+        return {TR_NOOP("core", "the file system refuses it: %1"), systemMessage(cause)};
     for (const SourceText& usual : kUsual)
         if (said == usual.english) return usual;
     if (said.starts_with(kSchema))

@@ -3500,10 +3500,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>chybí číslo</translation>
     </message>
     <message>
-        <source>is there already</source>
-        <translation>už existuje</translation>
-    </message>
-    <message>
         <source>its file system keeps no write-ahead journal</source>
         <translation>jeho souborový systém nevede předem psaný žurnál</translation>
     </message>
@@ -6066,6 +6062,26 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>has %1 bytes where its header says %2: it is truncated, copy it again</source>
         <translation>má %1 bajtů, hlavička udává %2: je uříznutý, zkopírujte jej znovu</translation>
+    </message>
+    <message>
+        <source>a row lies more than 36 years from the session&apos;s begin, which no reader takes: split the recording, or mend its clock</source>
+        <translation>řádek je od začátku relace vzdálen více než 36 let, což žádný čtenář nepřijme: rozdělte nahrávku, nebo opravte její hodiny</translation>
+    </message>
+    <message>
+        <source>it has the name of a session&apos;s journal: name another file</source>
+        <translation>má název žurnálu relace: zadejte jiný soubor</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and belongs to a file of this name: name another file</source>
+        <translation>%1 již existuje a patří k souboru tohoto názvu: zadejte jiný soubor</translation>
+    </message>
+    <message>
+        <source>is there already: name another file</source>
+        <translation>již existuje: zadejte jiný soubor</translation>
+    </message>
+    <message>
+        <source>the file system refuses it: %1</source>
+        <translation>souborový systém to odmítl: %1</translation>
     </message>
 </context>
 <context>

@@ -3500,10 +3500,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>eine Zahl fehlt</translation>
     </message>
     <message>
-        <source>is there already</source>
-        <translation>gibt es schon</translation>
-    </message>
-    <message>
         <source>its file system keeps no write-ahead journal</source>
         <translation>ihr Dateisystem führt kein Write-ahead-Journal</translation>
     </message>
@@ -6066,6 +6062,26 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>has %1 bytes where its header says %2: it is truncated, copy it again</source>
         <translation>hat %1 Bytes, laut Kopf %2: sie ist abgeschnitten, bitte erneut kopieren</translation>
+    </message>
+    <message>
+        <source>a row lies more than 36 years from the session&apos;s begin, which no reader takes: split the recording, or mend its clock</source>
+        <translation>eine Zeile liegt mehr als 36 Jahre vom Beginn der Sitzung entfernt, was kein Leser annimmt: die Aufnahme teilen oder ihre Uhr berichtigen</translation>
+    </message>
+    <message>
+        <source>it has the name of a session&apos;s journal: name another file</source>
+        <translation>sie hat den Namen des Journals einer Sitzung: eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and belongs to a file of this name: name another file</source>
+        <translation>%1 gibt es schon, und sie gehört zu einer Datei dieses Namens: eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>is there already: name another file</source>
+        <translation>gibt es schon: eine andere Datei nennen</translation>
+    </message>
+    <message>
+        <source>the file system refuses it: %1</source>
+        <translation>das Dateisystem verweigert es: %1</translation>
     </message>
 </context>
 <context>

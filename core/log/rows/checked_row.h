@@ -42,7 +42,7 @@ public:
     int small(int least, int most) { return static_cast<int>(integer(least, most)); }
     std::int64_t id() { return integer(1, kMaxCount); }
     std::int64_t idOrNone() { return integer(0, kMaxCount); }
-    SessionTime time() { return integer(-kMaxTime, kMaxTime); }
+    SessionTime time() { return integer(-kMaxSessionTime, kMaxSessionTime); }
     bool flag() { return integer(0, 1) == 1; }
     double real(double least = -kMaxNumber, double most = kMaxNumber)
     {
@@ -96,7 +96,6 @@ public:
 
 private:
     static constexpr double kMaxNumber = 1e12;
-    static constexpr SessionTime kMaxTime = std::int64_t{1} << 60;  // 36 years
     static constexpr std::int64_t kMaxCount = std::int64_t{1} << 48;
 
     const SqliteStatement& statement_;

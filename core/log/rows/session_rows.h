@@ -23,6 +23,9 @@ namespace terratact {
 
 using SessionTime = std::int64_t;  ///< [ns]
 
+/// Largest distance of a row from the session's begin: 36 years.
+inline constexpr SessionTime kMaxSessionTime = std::int64_t{1} << 60U;
+
 /// Returns seconds, as used by the program's clocks.
 constexpr double secondsOf(SessionTime time)
 {

@@ -8,6 +8,7 @@
 #include "core/log/session_writer.h"
 #include "core/robot/two_tracks.h"
 #include "tests/core/log/session_fixture.h"
+#include "tests/support/refusal.h"
 #include "tests/support/sessions/sessions.h"
 
 namespace terratact {
@@ -178,6 +179,36 @@ TEST_F(Session, existingFileIsLeftAlone)
     ASSERT_FALSE(again);
     EXPECT_NE(again.error().text.find(path), std::string::npos);
     EXPECT_TRUE(SessionReader::open(path));
+}
+
+TEST_F(Session, rowsFurtherAwayThanReadersTakeAreRefused)
+{
+    for (const SessionTime sign : {1, -1}) {
+        const std::string file = path + (sign > 0 ? "+" : "-");
+        auto writer = SessionWriter::create(file, someStart());
+        ASSERT_TRUE(writer);
+        FrameRow frame = someFrame(1);
+        frame.time = sign * kMaxSessionTime;
+        EXPECT_TRUE(writer->add(frame));
+        frame.time += sign;
+        EXPECT_TRUE(
+            refused(writer->add(frame), file, {"more than 36 years from the session's begin"}));
+    }
+}
+
+TEST_F(Session, nothingIsLeftWhereAFileBesideItIsInTheWay)
+{
+    for (const char* const end : {"-wal", "-shm", "-journal"}) {
+        const std::string beside = path + end;
+        std::filesystem::create_symlink("nowhere", beside);
+        EXPECT_TRUE(
+            refused(SessionWriter::create(path, someStart()), path,
+                    {std::filesystem::path(beside).filename().string() + " is there already"}));
+        EXPECT_FALSE(std::filesystem::exists(path)) << end;
+        EXPECT_TRUE(std::filesystem::is_symlink(beside));
+        std::filesystem::remove(beside);
+    }
+    EXPECT_TRUE(SessionWriter::create(path, someStart()));
 }
 
 }  // namespace

@@ -203,5 +203,15 @@ TEST(ReadFile, returnsEveryByteOrAnError)
     EXPECT_TRUE(refused(readFile(dir.file(""), 1), dir.file(""), {"Is a directory"}));
 }
 
+TEST(WriteFileAtomically, leavesTheNameOfAJournalFree)
+{
+    const TemporaryDirectory dir;
+    for (const char* const name : {"a.tts-wal", "a.tts-shm", "A.TTS-journal"})
+        EXPECT_TRUE(refused(writeFileAtomically(dir.file(name), "x"), dir.file(name),
+                            {"the name of a session's journal"}));
+    EXPECT_TRUE(dir.entries().empty());
+    EXPECT_TRUE(writeFileAtomically(dir.file("tts-wal"), "x"));
+}
+
 }  // namespace
 }  // namespace terratact
