@@ -42,5 +42,13 @@ TEST(ModelConditions, giveTheReasonWhyABinIsRefused)
     EXPECT_EQ(linesWith(conditionsText(model, FeatureSet::Pa), "bin +0.1 m is refused: "), 1);
 }
 
+TEST(ModelConditions, areNotComputedForManyScenes)
+{
+    ModelData model = toyModel();
+    model.scannedHeights.resize(kMostConditionRows + 1, kBins);
+    EXPECT_EQ(conditionsText(model, FeatureSet::Pa),
+              "condition of the pa models: not computed for more than 2500 scenes\n");
+}
+
 }  // namespace
 }  // namespace terratact
