@@ -3,6 +3,7 @@
 #include <ext/stdio_filebuf.h>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -32,6 +34,42 @@ public:
 
 private:
     __gnu_cxx::stdio_filebuf<char> buffer_;
+};
+
+/// Passes whole lines to a terminal, as printableLines().
+class TerminalBuffer final : public std::streambuf {
+public:
+    explicit TerminalBuffer(std::streambuf* terminal) : terminal_(terminal) {}
+
+protected:
+    int overflow(int character) override
+    {
+        if (character == traits_type::eof()) return traits_type::not_eof(character);
+        line_ += traits_type::to_char_type(character);
+        if (line_.back() == '\n' && sync() != 0) return traits_type::eof();
+        return character;
+    }
+    int sync() override
+    {
+        const std::string line = printableLines(std::exchange(line_, {}));
+        const auto size = static_cast<std::streamsize>(line.size());
+        return terminal_->sputn(line.data(), size) == size ? terminal_->pubsync() : -1;
+    }
+
+private:
+    std::streambuf* terminal_;
+    std::string line_;
+};
+
+class TerminalStream final : public std::ostream {
+public:
+    explicit TerminalStream(std::streambuf* terminal) : std::ostream(nullptr), buffer_(terminal)
+    {
+        rdbuf(&buffer_);
+    }
+
+private:
+    TerminalBuffer buffer_;
 };
 
 }  // namespace
@@ -71,9 +109,14 @@ TextOutput::TextOutput(std::string path, std::optional<NewFile> file,
 
 Result<TextOutput> TextOutput::begin(const std::string& path)
 {
-    if (isStandardOutput(path))
-        return TextOutput("the standard output", std::nullopt,
-                          std::make_unique<std::ostream>(std::cout.rdbuf()));
+    if (isStandardOutput(path)) {
+        std::unique_ptr<std::ostream> stream;
+        if (::isatty(STDOUT_FILENO) != 0)
+            stream = std::make_unique<TerminalStream>(std::cout.rdbuf());
+        else
+            stream = std::make_unique<std::ostream>(std::cout.rdbuf());
+        return TextOutput("the standard output", std::nullopt, std::move(stream));
+    }
     std::optional<NewFile> file;
     if (isStream(path)) {
         if (Status direct = checkLinks(path); !direct) return direct.error();

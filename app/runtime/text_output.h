@@ -24,7 +24,8 @@ bool isStream(const std::string& path);
 std::FILE* messagesBeside(const std::string& out);
 
 /// Sequential output. A file is written completely or not at all, like NewFile. Standard output, a pipe or a character
-/// device is written at once, so output before an error remains.
+/// device is written at once, so output before an error remains. On a terminal it is printableLines(): texts of files
+/// move no cursor.
 class TextOutput {
 public:
     /// Opens the output. Errors name the file, like those of NewFile::begin().

@@ -1,6 +1,8 @@
 """Tests hostile files and folders: links that lead elsewhere, texts for the terminal, little memory."""
 
+import os
 import pathlib
+import pty
 import re
 import stat
 import subprocess
@@ -139,6 +141,53 @@ class Texts(Scenes):
             robot = self.written("r.toml", plain.replace('name = "', f'name = "{quoted}'))
             self.printed("simulate", "--terrain", "varied", "--count", 1, "--robot", robot, "--out", self.path / "o.csv")
             self.printed("panel", "check", self.written("n.toml", f'chip = "{quoted}"\n"{quoted}" = 1\n'))
+
+
+class Terminals(Scenes):
+    """A terminal gets no escapes of a file, a pipe gets every byte."""
+
+    def shown(self, *arguments):
+        master, slave = pty.openpty()
+        with subprocess.Popen([CLI, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=slave,
+                              stderr=subprocess.DEVNULL) as process:
+            os.close(slave)
+            output = b""
+            while piece := read_terminal(master):
+                output += piece
+            self.assertEqual(process.wait(timeout=100), 0)
+        os.close(master)
+        return output.replace(b"\r\n", b"\n").decode()
+
+    def test_a_csv_is_printed_without_escapes(self):
+        log = self.written("d.log", FRAME)
+        for escape in ("\x1b[2K", "\u009b31m", "\u202e"):
+            dbc = self.written("d.dbc", f'BU_: G\nBO_ 291 M: 8 G\n SG_ S : 0|8@1+ (1,0) [0|0] "{escape}" X\n')
+            session = self.written(f"k{escape}.tts", pathlib.Path(DEMO).read_bytes())
+            for command in (("can", "decode", log, "--dbc", dbc, "--csv", "-"),
+                            ("session", "what-if", session, "--estimate", 1, "--out", "-")):
+                shown = self.shown(*command)
+                self.assertIsNone(Texts.RAW.search(shown), command)
+                piped = subprocess.run([CLI, *map(str, command)], capture_output=True, check=True).stdout.decode()
+                self.assertEqual(shown, Texts.RAW.sub("?", piped), command)
+        self.assertIn(escape, piped)
+
+
+def read_terminal(master):
+    try:
+        return os.read(master, 65536)
+    except OSError:  # its other end is closed
+        return b""
+
+
+class NoFonts(Folder):
+    def test_a_picture_without_letters_is_not_drawn(self):
+        config = self.path / "fonts.conf"
+        config.write_text("<?xml version='1.0'?><fontconfig></fontconfig>")
+        done = subprocess.run([CLI, "session", "report", DEMO, "--out", self.path / "r.pdf"], capture_output=True, text=True,
+                              timeout=100, env=os.environ | {"FONTCONFIG_FILE": str(config)}, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr.splitlines()[-1], "r.pdf: cannot be drawn: no font is installed, .*; install one")
+        self.assertFalse((self.path / "r.pdf").exists())
 
 
 class LittleMemory(Scenes):
