@@ -50,7 +50,7 @@ Status checkLog(const std::string& path)
         else
             ++others;
     }
-    if (frames.empty()) return fileError(path, "holds no frame");
+    if (frames.empty()) return fileError(path, "holds no frame: is it a log of a CAN bus?");
     showFinding(CanFinding::Level::Fine, "it is a log of the format " + log->format());
     for (const auto& [name, count] : frames)
         showFinding(CanFinding::Level::Fine, fmt::format("{} frames of {}", count, name));

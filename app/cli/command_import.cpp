@@ -63,7 +63,8 @@ Status checkMapped(const ImportOptions& options)
         printText("{}: nothing is doubtful\n", options.file);
         return Done{};
     }
-    return fileError(options.file, fmt::format("{} doubts", findings->size()));
+    return fileError(options.file,
+                     fmt::format("{} doubt{}", findings->size(), findings->size() == 1 ? "" : "s"));
 }
 
 /// Checks that the scenes can be written, so that no session is left if they cannot.

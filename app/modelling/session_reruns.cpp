@@ -295,7 +295,8 @@ std::vector<std::string> sessionsAt(const std::string& path)
     if (!std::filesystem::is_directory(path, ignored)) return {path};
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(path))
-        if (entry.path().extension() == ".tts") files.push_back(entry.path().string());
+        if (entry.path().extension() == ".tts" && !entry.is_directory(ignored))
+            files.push_back(entry.path().string());
     std::sort(files.begin(), files.end());
     return files;
 }

@@ -65,7 +65,7 @@ Result<Classes> readClasses(CsvReader csv, const std::string& column)
         if (!*more) return classes;
         const std::string name(csvText(csv.fields()[*row]));
         if (!classes.try_emplace(name, csvText(csv.fields()[*wanted])).second)
-            return csv.error("row " + shown(name) + " appears twice");
+            return csv.error("row " + shown(name) + " appears twice: delete one of the lines");
         if (classes.size() > kMaxClassRows)
             return csv.error("is one row more than the " + std::to_string(kMaxClassRows)
                              + " allowed in a file");

@@ -124,7 +124,7 @@ class Ros2Bags(Folder):
             f'[{name}]\ntopic = "/angles"\nfield = "data[{i}]"\n' for i, name in enumerate(fields)))
         said = run("import", bag, "--mapping", self.path / "m.toml", "--out", self.path / "a.tts")
         self.assertIn("50 lines of telemetry in 4.900 s", said)
-        self.assertIn("ROS 2 bag (SQLite), 1 topics, 50 messages", run("import", bag, "--probe"))
+        self.assertIn("ROS 2 bag (SQLite), 1 topic, 50 messages", run("import", bag, "--probe"))
 
     def test_a_session_is_no_recording(self):
         session = pathlib.Path(SOURCE, "resources/sessions/demo.tts")
