@@ -6,6 +6,7 @@ all_readers() yields (title, file, arguments of terratact) for files of about `s
 import bz2
 import gzip
 import pathlib
+import sqlite3
 import struct
 import subprocess
 
@@ -28,6 +29,8 @@ def scene_files(size, scenes):
         "one column many times": "pitch_rad," * (size // 10) + "\n",
         "an open quote": header + '\n"' + "x\n" * (size // 2),
         "empty lines": header + "\n" * size,
+        "empty lines above": "\n" * size + header + "\n" + row,
+        "empty lines and comments above": ("#\n" + "\n" * 1000) * (size // 1002) + header + "\n" + row,
         "comments": "#\n" * (size // 2) + header + "\n" + row,
         "many scenes": header + "\n" + lines(size, lambda i: row + "\n"),
         "zeros": b"\0" * size,
@@ -114,6 +117,11 @@ def mcap_message(channel, data):
     return 5, struct.pack("<HIQQ", channel, 0, 1, 1) + data
 
 
+def mcap_chunk(records):
+    packed = bz2.compress(records)
+    return 6, struct.pack("<QQQI", 0, 0, len(records), 0) + mcap_text(b"bz2") + struct.pack("<Q", len(packed)) + packed
+
+
 def recordings(size):
     def json(text):
         return mcap(mcap_channel(1, 0, b"json"), mcap_message(1, text))
@@ -133,10 +141,61 @@ def recordings(size):
         "elements without bytes.mcap": mcap(empties, mcap_channel(1, 1, b"ros1"), mcap_message(1, b"\xff\xff\xff\xff"))
                                        + b"\0" * size,
         "a chunk that declares 2^60 bytes.mcap": mcap((6, b"")) + struct.pack("<BQ", 6, 1 << 60),
+        "one chunk many times.mcap": mcap(*[mcap_chunk(mcap(mcap_channel(1, 0, b"json"), *[mcap_message(1, b"1")]
+                                                            * 200_000)[8:])] * 20),
+        "many values.mcap": mcap(mcap_channel(1, 0, b"json"), mcap_chunk(
+            mcap(*[mcap_message(1, b"[" + b"1," * 60 + b"1]")] * 20_000)[8:])),
         "zeros in bzip2.bag": b"#ROSBAG V2.0\n" + first + (mcap_text(fields) + mcap_text(bomb)) * 20,
         "many columns.csv": "t," + lines(size, lambda i: f"c{i},") + "\n" + "1," * 1000 + "\n",
         "many rows.csv": "t,a\n" + lines(size, lambda i: f"{i},1\n"),
     }
+
+
+PCD = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {0}\nHEIGHT 1\nPOINTS {0}\nDATA {1}\n"
+PLY = "ply\nformat {1} 1.0\nelement vertex {0}\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+
+
+def clouds(size):
+    many, grid = 4_000_000_000, lines(size, lambda i: f"{i % 1000 * .01:.2f} {i // 1000 * .01:.2f} 0\n")
+    return {
+        "many points.xyz": grid,
+        "points far apart.xyz": lines(size, lambda i: f"{i * 1e3:.0f} {-i * 1e3:.0f} 0\n"),
+        "one long line.xyz": "0 " * (size // 2),
+        "one place.xyz": "0 0 0\n" * (size // 6),
+        "promised points.pcd": PCD.format(many, "binary"),
+        "promised points in text.pcd": PCD.format(many, "ascii") + grid,
+        "promised bytes.pcd": PCD.format(many, "binary_compressed") + "\xff" * 8,
+        "many fields.pcd": PCD.format(1, "ascii").replace("x y z", "x y z" + " a" * (size // 2)),
+        "zeros in lzf.pcd": (PCD.format(50 * size // 12, "binary_compressed").encode()
+                             + struct.pack("<II", size // 4 * 3 + 2, 50 * size // 12 * 12)
+                             + b"\0\0" + b"\xe0\xff\0" * (size // 4)),
+        "promised points.ply": PLY.format(many, "binary_little_endian"),
+        "promised list.ply": PLY.format(1, "binary_little_endian").replace("end_header", "property list uint uchar l\nend_header")
+                             + "\0" * 12 + "\xff" * 4,
+        "many elements.ply": PLY.format(1, "ascii").replace(
+            "end_header", lines(size, lambda i: f"element e{i} 0\nproperty float a\n") + "end_header") + "0 0 0\n",
+    }
+
+
+def drives(size, scenes):
+    header, row, *_ = scenes.splitlines()
+    return {
+        "many lines": header + "\n" + lines(size, lambda i: row + "\n"),
+        "many drives": header + "\n" + lines(size, lambda i: f"{i}" + row[row.index(","):] + "\n"),
+        "many columns": header + lines(size, lambda i: f",c{i}") + "\n" + row + "\n",
+    }
+
+
+def database(path, size):
+    """Makes a bag of ROS 2 with many topics, and one message whose text seems to have 4 GB."""
+    with sqlite3.connect(path) as bag:
+        bag.executescript(
+            "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT, offered_qos_profiles TEXT);"
+            "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB);")
+        bag.executemany("INSERT INTO topics VALUES(?, ?, 'sensor_msgs/msg/JointState', 'cdr', '')",
+                        ((i + 1, f"/t{i}") for i in range(size // 60)))
+        bag.execute("INSERT INTO messages VALUES(1, 1, 0, ?)", (b"\0\1\0\0" + bytes(8) + b"\xff" * 4 + b"x" * 100,))
+    return path
 
 
 def all_readers(folder, size, program, source):
@@ -147,9 +206,11 @@ def all_readers(folder, size, program, source):
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
         return path
 
-    scenes, out = folder / "few.csv", folder / "out"
+    scenes, two_tracks, poses, out = folder / "few.csv", folder / "few_tracks.csv", folder / "poses.csv", folder / "out"
     subprocess.run([program, "simulate", "--terrain", "varied", "--count", "3", "--seed", "5", "--out", scenes], check=True,
                    stdout=subprocess.DEVNULL)
+    subprocess.run([program, "simulate", "--terrain", "varied", "--tracks", "--count", "3", "--seed", "5", "--out", two_tracks,
+                    "--cloud", folder / "cloud.pcd", "--poses", poses], check=True, stdout=subprocess.DEVNULL)
     for title, content in scene_files(size, scenes.read_text()).items():
         path = written("s.csv", content)
         yield f"scenes: {title}", path, ("contacts", "--data", path)
@@ -159,6 +220,32 @@ def all_readers(folder, size, program, source):
     for title, content in grounds(size).items():
         path = written("g.csv", content)
         yield f"ground: {title}", path, ("simulate", "--tracks", "--terrain", path, "--count", "1", "--out", out)
+    for name, content in clouds(size).items():
+        path = written(name, content.encode("latin-1") if isinstance(content, str) else content)
+        yield f"cloud: {name}", path, ("truth", path, "--scenes", scenes, "--poses", poses, "--out", out)
+    small_cloud = written("few.xyz", "0 0 0\n1 0 0\n")
+    for title, content in {"many": lines(size, lambda i: f"{i}.0 0 0 0 0 0 0 1\n"), "one long line": "1 " * (size // 2),
+                           "one time": "1.0 0 0 0 0 0 0 1\n" * (size // 18)}.items():
+        path = written("poses.tum", content)
+        yield f"poses: {title}", path, ("truth", small_cloud, "--scenes", scenes, "--poses", path, "--out", out)
+    path = written("decisions.csv", "row,run,decision,offset_m,tilt_rad,along_m\n" + lines(size, lambda i: f"{i + 1},1,accept,0,0,0\n"))
+    yield "decisions: many", path, ("truth", folder / "cloud.pcd", "--scenes", two_tracks, "--poses", poses, "--decisions", path, "--out", out)
+    for kind, options in (("drives", ()), ("two-track drives", ("--tracks",))):
+        few = folder / "few_drives.csv"
+        subprocess.run([program, "simulate", "--drives", "1", *options, "--terrain", "varied", "--seed", "5", "--out", few],
+                       check=True, stdout=subprocess.DEVNULL)
+        for title, content in drives(size, few.read_text()).items():
+            path = written("d.csv", content)
+            yield f"{kind}: {title}", path, ("truth", small_cloud, "--scenes", path, "--poses", poses, "--out", out)
+    header, row, *_ = two_tracks.read_text().splitlines()
+    path = written("tracks.csv", header + "\n" + lines(size // 4, lambda i: row + "\n"))
+    yield "scenes of two tracks: many", path, ("truth", folder / "cloud.pcd", "--scenes", path, "--poses", poses, "--out", out)
+    for title, content in toml_files(65_000, "").items():
+        path = written("m.toml", content)
+        yield f"mapping: {title}", path, ("import", written("few_rows.csv", "t,a\n1,1\n"), "--mapping", path, "--check")
+    yield "recording: many topics.db3", database(folder / "many topics.db3", size), ("import", folder / "many topics.db3", "--probe")
+    path = written("n.ttn", pathlib.Path(source, "resources/models/default.ttn").read_bytes()[:size])
+    yield "networks: cut", path, ("evaluate", "--drives", few, "--trail", path, "--methods", "trail")
     path = written("probes.csv", "place,height_m,truth_m\n" + lines(size, lambda i: f"p{i},0.1,0.1\n"))
     yield "probes: many places", path, ("probes", "--data", path)
     path = written("c.csv", "side,element,force_n,voltage_v\n" + lines(size, lambda i: "left,1,10,1.5\n"))
