@@ -35,8 +35,8 @@ bool PadHold::poll(bool wanted, HeldButton& button, Begin begin)
 }
 
 GamepadControl::GamepadControl(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source,
-                               MainWindow& window)
-    : window_(window), reader_(std::move(gamepad), source)
+                               MainWindow& window, GamepadReader::Clock clock)
+    : window_(window), reader_(std::move(gamepad), source, std::move(clock))
 {
 }
 

@@ -30,10 +30,11 @@ private:
 class GamepadControl final : public QObject {
     Q_OBJECT
 public:
-    /// The source must outlive the object.
-    GamepadControl(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source, MainWindow& window);
+    /// The source must outlive the object. clock: monotonic clock [s] of `now` and of the gamepad's reader.
+    GamepadControl(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source, MainWindow& window,
+                   GamepadReader::Clock clock);
 
-    /// Reads the gamepad and acts. now: steady clock [s]. mayAct: the operator is at the window; otherwise only STOP
+    /// Reads the gamepad and acts. now: that clock [s]. mayAct: the operator is at the window; otherwise only STOP
     /// acts.
     void poll(double now, bool mayAct);
     /// Lets go of everything: each control must be released before it counts again.

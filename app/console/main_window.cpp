@@ -64,7 +64,7 @@ MainWindow::MainWindow(Options options)
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.alarmSound))),
       recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
-      robotDetails_(std::move(options.robotDetails))
+      inputClock_(std::move(options.inputClock)), robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);

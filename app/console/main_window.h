@@ -85,6 +85,8 @@ public:
         std::unique_ptr<PreferenceStore> preferences;  ///< null: defaults, and nothing is saved
         std::shared_ptr<SessionRecorder> recorder{};   ///< null: no recording
         PresetTable presets{};                         ///< measured by `terratact tradeoff`
+        /// Monotonic clock [s] of the watch for a frozen window, and of the gamepad.
+        std::function<double()> inputClock = steadyNow;
     };
     explicit MainWindow(Options options);
     ~MainWindow() override;
@@ -236,8 +238,9 @@ private:
     double newestIn_ = -1.0;   ///< [s] arrival of the new telemetry in that frame
     std::uint64_t drawn_ = 0;  ///< Received::count of the last drawn sample
     QTimer look_;
-    RobotMoment moment_;          ///< of the last tick: everything is drawn from it
-    StallWatch stalls_;           ///< stalls of poll()
+    RobotMoment moment_;  ///< of the last tick: everything is drawn from it
+    StallWatch stalls_;   ///< stalls of poll()
+    std::function<double()> inputClock_;
     double redrawn_ = 0.0;        ///< [s] steady clock
     double numbersShown_ = 0.0;   ///< [s] time of the last update of the robot's numbers
     double closeRefused_ = -1e9;  ///< [s] time of the last refused request to close

@@ -10,7 +10,7 @@ namespace terratact {
 void MainWindow::addGamepad(std::unique_ptr<Gamepad> gamepad)
 {
     if (!gamepad) return;
-    gamepad_ = std::make_unique<GamepadControl>(std::move(gamepad), *source_, *this);
+    gamepad_ = std::make_unique<GamepadControl>(std::move(gamepad), *source_, *this, inputClock_);
     connect(gamepad_.get(), &GamepadControl::happened, this, &MainWindow::log);
 }
 

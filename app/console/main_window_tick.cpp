@@ -37,11 +37,12 @@ void MainWindow::poll()
 {
     lookComes_ = false;
     const double now = steadyNow();
-    const auto frozen = stalls_.poll(now);
+    const double input = inputClock_();
+    const auto frozen = stalls_.poll(input);
     if (frozen) logStall(*frozen);
     sharedStop_->poll();
     tickPanel(now);
-    pollGamepad(now, frozen.has_value());
+    pollGamepad(input, frozen.has_value());
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     // A paused log is no silent robot: its picture stays to be looked at.
     if (!replayBar_ || !replayBar_->isStill()) moment_ = momentOf(now, *acquisition_, link_);

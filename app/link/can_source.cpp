@@ -5,8 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "app/runtime/steady_now.h"
-
 namespace terratact {
 namespace {
 
@@ -47,7 +45,7 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
             end - std::chrono::steady_clock::now());
         const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
         work();
-        tap_.tick(steadyNow());
+        tap_.tick(options_.clock());
         if (!count) return count.error();
         const auto received = std::span<const BusFrame>(frames_).first(*count);
         if (options_.received && !received.empty()) options_.received(received);
@@ -110,10 +108,11 @@ void CanSource::work()
 {
     if (options_.mode != Mode::Transmit) return;
     const std::scoped_lock lock(mutex_);
-    const double now = steadyNow();
+    const double now = options_.clock();
     if (unsent_) {
-        const auto frame = link_.send(*unsent_, now);
-        if (bus_->send(std::get<CanFrame>(frame))) unsent_.reset();
+        const auto sent = link_.send(*unsent_, now);
+        const auto* const frame = std::get_if<CanFrame>(&sent);
+        if (frame && bus_->send(*frame)) unsent_.reset();
     }
     for (const CanFrame& frame : link_.tick(now)) {
         const Status left = bus_->send(frame);  // the bus counts failures
@@ -136,7 +135,7 @@ Status CanSource::send(const Command& command)
 {
     if (auto why = whyNotTransmitting()) return Error{*std::move(why)};
     const std::scoped_lock lock(mutex_);
-    const auto sent = link_.send(command, steadyNow());
+    const auto sent = link_.send(command, options_.clock());
     if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
     const auto* frame = std::get_if<CanFrame>(&sent);
     Status left = frame ? bus_->send(*frame) : Done{};  // otherwise next() sends it later
@@ -147,7 +146,7 @@ Status CanSource::send(const Command& command)
 void CanSource::operatorAlive()
 {
     const std::scoped_lock lock(mutex_);
-    link_.operatorAlive(steadyNow());
+    link_.operatorAlive(options_.clock());
 }
 
 void CanSource::wantArming()
@@ -174,13 +173,13 @@ void CanSource::disarm()
 void CanSource::approve(const ProbeCommand& probe)
 {
     const std::scoped_lock lock(mutex_);
-    link_.approve(probe, steadyNow());
+    link_.approve(probe, options_.clock());
 }
 
 CanView CanSource::view() const
 {
     const std::scoped_lock lock(mutex_);
-    return {.link = link_.view(steadyNow()),
+    return {.link = link_.view(options_.clock()),
             .bus = bus_->state(),
             .busName = bus_->name(),
             .frames = bus_->counters(),

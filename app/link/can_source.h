@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/link/frame_history.h"
+#include "app/runtime/steady_now.h"
 #include "core/atem/console_link.h"
 #include "core/base/message.h"
 #include "drivers/can_bus.h"
@@ -56,6 +57,8 @@ public:
         bool nominal = false;             ///< the bit rate is assumed, see BitRate
         /// Called with every received frame in the thread of next(), before the link decodes it; empty: no callback.
         std::function<void(std::span<const BusFrame>)> received{};
+        /// Monotonic clock of the link [s], the same as that of the bus; any thread calls it.
+        std::function<double()> clock = steadyNow;
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 

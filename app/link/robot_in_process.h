@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -16,8 +17,10 @@ TrueHeights trueHeights(const SimulatedRobot& robot);
 /// outlive it.
 class RobotInProcess {
 public:
+    /// clock: the robot's monotonic clock [s]
     RobotInProcess(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
-                   const RobotOnBus::Options& options);
+                   const RobotOnBus::Options& options,
+                   const std::function<double()>& clock = steadyNow);
 
     /// Returns the true bin heights at the pose of the newest sample; callable from any thread.
     TrueHeights truth() const;

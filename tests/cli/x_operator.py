@@ -11,6 +11,8 @@ import time
 import numpy as np
 
 PATIENCE = 200.0  # [s] for all waits together
+# Arguments of an X server in the guest of tests/kernel/run.sh: it leaves no lock and no socket among the host's files.
+HIDDEN = ("-nolock", "-nolisten", "unix")
 
 
 class Operator:
@@ -42,9 +44,9 @@ class Operator:
         self.does(f"key {key}")
         time.sleep(0.1)  # makes a second action, not key repeat
 
-    def holds(self, key, condition, seconds):
+    def holds(self, key, condition, seconds=None, what="what was awaited"):
         self.does(f"keydown {key}")
-        came = self.until(condition, seconds)
+        came = self.until(condition, seconds, what)
         self.does(f"keyup {key}")
         time.sleep(0.1)
         return came

@@ -3,12 +3,11 @@
 #include <exception>
 #include <utility>
 
-#include "app/runtime/steady_now.h"
-
 namespace terratact {
 
-GamepadReader::GamepadReader(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source)
-    : gamepad_(std::move(gamepad)), source_(source),
+GamepadReader::GamepadReader(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source,
+                             Clock clock)
+    : gamepad_(std::move(gamepad)), source_(source), clock_(std::move(clock)),
       thread_([this](const std::stop_token& stop) { read(stop); })
 {
 }
@@ -24,7 +23,7 @@ void GamepadReader::read(const std::stop_token& stop)
             pressed = follower.poll(state, settings_, false).stop;
             sends = sends_ && pressed;
             latest_ = state;
-            readAt_ = steadyNow();
+            readAt_ = clock_();
             stops_ += pressed ? 1 : 0;
         }
         // The window sends it again and reports what hinders it.

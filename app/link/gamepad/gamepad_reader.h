@@ -1,11 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 
 #include "app/link/gamepad/pad_intents.h"
+#include "app/runtime/steady_now.h"
 #include "drivers/measurement_source.h"
 
 namespace terratact {
@@ -17,11 +19,14 @@ public:
     static constexpr std::chrono::milliseconds kPeriod{5};
     static constexpr double kFreshFor = 0.1;  ///< [s] an older state is no gamepad
 
-    /// The source must outlive the reader.
-    GamepadReader(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source);
+    using Clock = std::function<double()>;  ///< monotonic clock [s]
 
-    /// Returns the newest state. A state that is older than kFreshFor at `now` [s], of the steady clock, is returned as
-    /// a lost gamepad.
+    /// The source must outlive the reader.
+    GamepadReader(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source,
+                  Clock clock = steadyNow);
+
+    /// Returns the newest state. A state that is older than kFreshFor at `now` [s], of that clock, is returned as a lost
+    /// gamepad.
     GamepadState latest(double now) const;
 
     /// Sets the buttons of STOP, and whether this console may send it.
@@ -36,6 +41,7 @@ private:
 
     std::unique_ptr<Gamepad> gamepad_;
     MeasurementSource& source_;
+    Clock clock_;
     mutable std::mutex mutex_;  // guards the members below
     GamepadState latest_;
     double readAt_ = 0.0;

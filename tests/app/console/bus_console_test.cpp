@@ -144,11 +144,7 @@ TEST_F(BusConsole, canBeArmedAgainWhereSomethingDisarmedOnTheWay)
 {
     open();
     EXPECT_FALSE(terratact::armsOnce(*window, [this] { window->link()->disarm(); }));
-    int goes = 0;
-    EXPECT_TRUE(inSomeGo([&] {
-        if (++goes == 1) window->link()->disarm();
-        return goes > 1 && exploresUntilAsked();
-    }));
+    EXPECT_TRUE(exploresUntilAsked());
     EXPECT_EQ(arming(), ArmingPhase::Armed);
 }
 
@@ -170,18 +166,15 @@ TEST_F(BusConsole, autoRepeatOfAHeldKeyDoesNotArm)
 TEST_F(BusConsole, driveExploreProbeAndDriveOn)
 {
     open();
-    const bool drivesOn = inSomeGo([this] {
-        if (!drives()) return false;
-        const int epoch = window->link()->view().link.arming.epoch;  // changes with every arming
-        QTest::keyRelease(window.get(), Qt::Key_W);
-        EXPECT_TRUE(robotIs(RobotActivity::Halted));
-        if (!exploresAndProbes()) return false;
-        EXPECT_TRUE(window->exploration().state().probed);
-        picture("presenting");
-        QTest::qWait(200);
-        return drives() && window->link()->view().link.arming.epoch == epoch;
-    });
-    EXPECT_TRUE(drivesOn) << "it had to be armed anew each time";
+    ASSERT_TRUE(drives());
+    const int epoch = window->link()->view().link.arming.epoch;  // changes with every arming
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    EXPECT_TRUE(robotIs(RobotActivity::Halted));
+    ASSERT_TRUE(exploresAndProbes());
+    EXPECT_TRUE(window->exploration().state().probed);
+    picture("presenting");
+    ASSERT_TRUE(drives());
+    EXPECT_EQ(window->link()->view().link.arming.epoch, epoch) << "it stays armed all the while";
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
@@ -195,23 +188,18 @@ TEST_F(BusConsole, coloursAndLettersChangeOnceTheRobotStands)
             p.fontScale = scale;
         });
     };
-    const bool waits = inSomeGo([&] {
-        change(ThemeName::Day, 100);
-        if (!drives()) return false;
-        change(ThemeName::NightRed, 120);
-        QTest::qWait(100);  // waits for a change that must not come
-        const bool stillMoves = window->link()->view().link.moves;
-        const ThemeName shown = lookInForce().theme;
-        const QSize size = window->terrain()->size();
-        window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
-        EXPECT_TRUE(eventually([&] { return window->terrain()->size() != size; }, 2000))
-            << "the layout does not wait";
-        window->preferences().change([](Preferences& p) { p.layout = Layout::Probe; });
-        QTest::keyRelease(window.get(), Qt::Key_W);
-        EXPECT_TRUE(!stillMoves || shown == ThemeName::Day);
-        return stillMoves;
-    });
-    EXPECT_TRUE(waits);
+    change(ThemeName::Day, 100);
+    ASSERT_TRUE(drives());
+    change(ThemeName::NightRed, 120);
+    QTest::qWait(100);  // waits for a change that must not come
+    EXPECT_TRUE(window->link()->view().link.moves);
+    EXPECT_EQ(lookInForce().theme, ThemeName::Day);
+    const QSize size = window->terrain()->size();
+    window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
+    EXPECT_TRUE(eventually([&] { return window->terrain()->size() != size; }, 2000))
+        << "the layout does not wait";
+    window->preferences().change([](Preferences& p) { p.layout = Layout::Probe; });
+    QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_TRUE(eventually([&] { return lookInForce().theme == ThemeName::NightRed; }));
     EXPECT_TRUE(eventually([&] { return lookInForce().fontScale == 120; }));
     change(ThemeName::Day, 100);
@@ -224,53 +212,39 @@ TEST_F(BusConsole, closingWhileArmedNeedsASecondRequest)
     window->close();
     EXPECT_FALSE(window->isVisible()) << "of a disarmed one at once";
     window->show();
-    const auto closesAskedTwice = [&] {
-        if (!armsOnce()) return false;
+    ASSERT_TRUE(armsOnce());
+    window->close();
+    ASSERT_TRUE(window->isVisible());
+    for (int repeated = 0; repeated < 10; ++repeated) {  // key repeat of one second
+        QTest::qWait(100);
         window->close();
-        if (!window->isVisible()) {  // a delay has disarmed it meanwhile
-            window->show();
-            return false;
-        }
-        for (int repeated = 0; repeated < 10; ++repeated) {  // key repeat of one second
-            QTest::qWait(100);
-            window->close();
-        }
-        EXPECT_TRUE(window->isVisible() || arming() != ArmingPhase::Armed)
-            << "neither a double click nor a key that repeats is an answer";
-        (void)eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }, 2000);
-        const bool asks = says("THE ROBOT IS ARMED: close the window again");
-        picture("closing-armed");
-        QTest::qWait(800);
-        const bool stillArmed = window->isVisible() && arming() == ArmingPhase::Armed;
-        window->close();
-        if (asks && stillArmed && !window->isVisible()) return true;
-        window->show();
-        return false;
-    };
-    ASSERT_TRUE(inSomeGo(closesAskedTwice));
+    }
+    EXPECT_TRUE(window->isVisible())
+        << "neither a double click nor a key that repeats is an answer";
+    EXPECT_TRUE(eventually([&] { return says("THE ROBOT IS ARMED: close the window again"); }));
+    picture("closing-armed");
+    QTest::qWait(800);
+    EXPECT_EQ(arming(), ArmingPhase::Armed);
+    window->close();
+    EXPECT_FALSE(window->isVisible());
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
 }
 
 TEST_F(BusConsole, anOldCloseRequestIsForgotten)
 {
     open();
-    const auto asksAgain = [&] {
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
-        window->close();
-        QTest::qWait(static_cast<int>(1000.0 * ShortNotice::kFor) + 200);
-        if (!window->isVisible()) window->show();  // a delay had disarmed it
-        if (arming() != ArmingPhase::Armed) return false;
-        window->close();
-        EXPECT_TRUE(window->isVisible()) << "that was the first try";
-        return true;
-    };
-    EXPECT_TRUE(inSomeGo(asksAgain));
+    ASSERT_TRUE(armsOnce());
+    window->close();
+    QTest::qWait(static_cast<int>(1000.0 * ShortNotice::kFor) + 200);
+    EXPECT_EQ(arming(), ArmingPhase::Armed);
+    window->close();
+    EXPECT_TRUE(window->isVisible()) << "that was the first try";
 }
 
 TEST_F(BusConsole, aSignalClosesTheWindowOfAnArmedRobotAtOnce)
 {
     open();
-    ASSERT_TRUE(inSomeGo([&] { return armsOnce(); }));
+    ASSERT_TRUE(armsOnce());
     window->closeUnasked();
     EXPECT_FALSE(window->isVisible());
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
@@ -280,7 +254,7 @@ TEST_F(BusConsole, showsWhyAProbeWasRefusedInEveryLayout)
 {
     open(CanSource::Mode::Transmit, RobotFault::RefuseProbe);
     window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });
-    ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
+    ASSERT_TRUE(exploresUntilAsked());
     QTest::keyPress(window.get(), Qt::Key_Space);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     QTest::keyRelease(window.get(), Qt::Key_Space);
@@ -297,7 +271,7 @@ TEST_F(BusConsole, showsWhyAProbeWasRefusedInEveryLayout)
 TEST_F(BusConsole, disarmedRobotEndsTheExploration)
 {
     open();
-    ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
+    ASSERT_TRUE(exploresUntilAsked());
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(window->exploration().state().failure, AtemFailure::Disarmed);

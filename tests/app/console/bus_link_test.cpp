@@ -50,7 +50,7 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     Exploration& exploration = window->exploration();
     ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
     exploration.overrideWarnings();
-    ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
+    ASSERT_TRUE(armsOnce() && exploresAndProbes());
     tilted.stage({.roll = 0.2, .isMute = true});
     QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 300);  // longer than a gap that withholds
     tilted.stage({.roll = 0.2});
@@ -104,11 +104,9 @@ TEST_F(BusConsole, aReviewRemembersTheGroundThatTheConsoleRemembered)
         const SeenStrip seen = estimation.remembered();
         return !estimation.estimate() && !seen.isEmpty() && seen.side[0].front().way > 0.05;
     };
-    ASSERT_TRUE(inSomeGo([&] {
-        if (!exploresAndProbes() || !drives()) return false;
-        (void)eventually([&] { return hasMoved() || !robotDoes(RobotActivity::Driving); });
-        return hasMoved();
-    }));
+    ASSERT_TRUE(exploresAndProbes() && drives());
+    ASSERT_TRUE(eventually([&] { return hasMoved() || !robotDoes(RobotActivity::Driving); }));
+    ASSERT_TRUE(hasMoved());
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
     QTest::qWait(300);
@@ -220,26 +218,18 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     const auto shipped = [this] {
         return modelFileLoader(resourcePath("models/default.ttm"), model);
     };
-    std::unique_ptr<CanBus> recorder;
-    std::unique_ptr<MainWindow> listener;
-    std::unique_ptr<Estimates> heard, made;
-    ASSERT_TRUE(inSomeGo([&] {  // each go begins a new log
-        window.reset();
-        listener.reset();
-        robot.reset();
-        recorder = bus.join("recorder", 0);
-        startQuickRobot();
-        listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
-        heard = std::make_unique<Estimates>(listener->exploration());
-        window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
-        made = std::make_unique<Estimates>(window->exploration());
-        gui::showActive(*listener);
-        gui::showActive(*window);
-        for (MainWindow* one : {listener.get(), window.get()})
-            EXPECT_TRUE(eventually([&] { return modelInUse(*one) == "default.ttm"; }));
-        return armsOnce() && exploresAndProbes();
-    }));
-    ASSERT_TRUE(eventually([&] { return heard->all().size() == 2; }));
+    const auto recorder = bus.join("recorder", 0);
+    startQuickRobot();
+    const auto listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
+    const Estimates heard(listener->exploration());
+    window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
+    const Estimates made(window->exploration());
+    gui::showActive(*listener);
+    gui::showActive(*window);
+    for (MainWindow* one : {listener.get(), window.get()})
+        EXPECT_TRUE(eventually([&] { return modelInUse(*one) == "default.ttm"; }));
+    ASSERT_TRUE(armsOnce() && exploresAndProbes());
+    ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
     const auto isDrawn = [](const MainWindow& console) {  // a touched bin
         return console.terrain()->accessibleDescription().contains(", arm");
@@ -264,9 +254,9 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     picture("following");
     ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
     ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
-    ASSERT_EQ(made->all().size(), 2U);
+    ASSERT_EQ(made.all().size(), 2U);
     const auto armBins = [&](std::size_t which) {
-        const auto& estimate = made->all()[which];
+        const auto& estimate = made.all()[which];
         const auto armBinsOf = [](const TerrainEstimate& side) {
             return std::ranges::count(side.origin, Origin::Arm);
         };
@@ -275,8 +265,8 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     };
     EXPECT_EQ(armBins(0), 0);
     EXPECT_EQ(armBins(1), 1) << "of either side: noise decides which is less certain";
-    EXPECT_EQ(heard->all(), made->all());
-    EXPECT_EQ(replayed.all(), made->all());
+    EXPECT_EQ(heard.all(), made.all());
+    EXPECT_EQ(replayed.all(), made.all());
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
     EXPECT_TRUE(eventually([&] { return window->probeCard()->showsWorth(); }))
@@ -359,7 +349,7 @@ TEST_F(BusConsole, aKerbOnTheLeftIsProbedOnASideOverTheBus)
     const StagedRobot uneven(
         bus, model,
         SimulatedRobot(model, GroundLines({{0.2, kerb}, {-0.2, flatTerrain(6.0)}}), simulation),
-        RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+        RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0}, time());
     window = console(bus.join("can0"), CanSource::Mode::Transmit,
                      modelFileLoader(resourcePath("models/default.ttm"), model));
     gui::showActive(*window);
@@ -370,7 +360,7 @@ TEST_F(BusConsole, aKerbOnTheLeftIsProbedOnASideOverTheBus)
         asked = window->exploration().proposal();
         before = describe(*estimation.verdict());
     });
-    ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
+    ASSERT_TRUE(armsOnce() && exploresAndProbes());
     EXPECT_EQ(before, "left BLOCKED at +0.6 m · right CLEAR to +0.55 m");
     ASSERT_TRUE(asked);
     EXPECT_NE(asked->side, ProbeSide::Middle);

@@ -34,7 +34,7 @@ struct FeelForwardConsole : BusConsole {
     {
         QTest::keyRelease(window.get(), Qt::Key_F);
         QTest::qWait(2 * KeyTable::kRepetition);  // the next press is a new one
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        if (!arms(*window)) return false;
         if (!eventually([&] { return button()->isEnabled(); }, 5000)) return false;
         QTest::keyPress(window.get(), Qt::Key_F);
         if (!eventually([&] { return state().loops; }, 2000)) return false;
@@ -51,7 +51,7 @@ struct FeelForwardConsole : BusConsole {
 TEST_F(FeelForwardConsole, goesOnThroughTheGateWhileItsKeyIsHeld)
 {
     openClear();
-    ASSERT_TRUE(inSomeGo([&] { return feelsFor(0.25); }));
+    ASSERT_TRUE(feelsFor(0.25));
     EXPECT_TRUE(says("m/min")) << "pace and way are shown";
     picture("feel-forward");
     // A held key repeats: as events that tell it, or as a release and a press.
@@ -73,7 +73,7 @@ TEST_F(FeelForwardConsole, goesOnThroughTheGateWhileItsKeyIsHeld)
 TEST_F(FeelForwardConsole, aLoopThatEndedNeedsANewPress)
 {
     openClear();
-    ASSERT_TRUE(inSomeGo([&] { return feelsFor(0.0); }));
+    ASSERT_TRUE(feelsFor(0.0));
     button()->letGo();  // as where it is disabled, while the key stays held
     ASSERT_TRUE(eventually([&] { return !state().loops && button()->isEnabled(); }, 5000));
     const int events = window->events()->count();
@@ -92,11 +92,9 @@ TEST_F(FeelForwardConsole, endsWhenTheWindowLosesTheFocusOrThePageIsLeft)
     openClear();
     QWidget other;
     const auto endsBy = [&](const std::function<void()>& leave) {
-        return inSomeGo([&] {
-            if (!feelsFor(0.0)) return false;
-            leave();
-            return eventually([&] { return !state().loops; }, 1000);
-        });
+        if (!feelsFor(0.0)) return false;
+        leave();
+        return eventually([&] { return !state().loops; }, 1000);
     };
     EXPECT_TRUE(endsBy([&] { gui::showActive(other); }));
     EXPECT_EQ(state().loopEnd, LoopEnd::LetGo);
@@ -109,12 +107,10 @@ TEST_F(FeelForwardConsole, endsWhenTheWindowLosesTheFocusOrThePageIsLeft)
 TEST_F(FeelForwardConsole, theButtonMustBeHeld)
 {
     openClear();
-    ASSERT_TRUE(inSomeGo([&] {
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
-        if (!eventually([&] { return button()->isEnabled(); }, 5000)) return false;
-        QTest::mousePress(button(), Qt::LeftButton);
-        return eventually([&] { return state().phase == AtemPhase::Advancing; }, 20000);
-    }));
+    ASSERT_TRUE(arms(*window));
+    ASSERT_TRUE(eventually([&] { return button()->isEnabled(); }, 5000));
+    QTest::mousePress(button(), Qt::LeftButton);
+    ASSERT_TRUE(eventually([&] { return state().phase == AtemPhase::Advancing; }, 20000));
     QTest::mouseRelease(button(), Qt::LeftButton);
     EXPECT_TRUE(eventually([&] { return !state().loops; }, 1000));
     EXPECT_EQ(state().loopEnd, LoopEnd::LetGo);
@@ -126,7 +122,7 @@ TEST_F(FeelForwardConsole, theReviewShowsTheLoop)
     recording = std::make_shared<SessionRecorder>(SessionRecorder::Options{
         .folder = folder.file("sessions"), .start = someStart(), .patience = kBusyDisk});
     openClear();
-    ASSERT_TRUE(inSomeGo([&] { return feelsFor(0.15); }));
+    ASSERT_TRUE(feelsFor(0.15));
     QTest::keyRelease(window.get(), Qt::Key_F);
     ASSERT_TRUE(eventually([&] { return !state().loops; }));
     QTest::qWait(300);

@@ -40,6 +40,7 @@ struct GamepadConsole : BusConsole {
         options.model = [] { return Result<LoadedModel>(madeUp()); };
         options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         options.gamepad = std::move(gamepad);
+        options.inputClock = time();
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->resize(1280, 720);
@@ -61,7 +62,7 @@ struct GamepadConsole : BusConsole {
     static void settle() { QTest::qWait(60); }
     void deadMan(bool held) { pad->set(PadAxis::RightTrigger, held ? 1.0 : 0.0); }
     void push(double forward) { pad->set(PadAxis::LeftY, -forward); }
-    /// Holds the dead-man, then pushes the stick. A busy console may see both at once, which means nothing.
+    /// Holds the dead-man, then pushes the stick.
     void holdsThenPushes()
     {
         push(0.0);
@@ -70,29 +71,6 @@ struct GamepadConsole : BusConsole {
         deadMan(true);
         settle();
         push(1.0);
-    }
-    /// Repeats what an operator does until the console says so. A console that freezes lets go of the pad, so what is
-    /// held then means nothing.
-    bool triesUntil(const QString& says, const std::function<void()>& act)
-    {
-        return eventually([&] {
-            push(0.0);
-            deadMan(false);
-            settle();
-            act();
-            return eventually([&] { return hasEvent(says); }, 1000);
-        });
-    }
-    /// Presses a button, and again as long as nothing follows, for the same reason.
-    bool pressesUntil(PadButton button, const std::function<bool()>& follows)
-    {
-        return eventually([&] {
-            if (follows()) return true;
-            pad->set(button, false);
-            settle();
-            pad->set(button, true);
-            return eventually(follows, 1000);
-        });
     }
     bool drives()
     {
@@ -183,7 +161,8 @@ TEST_F(GamepadConsole, whateverLeavesTheWindowLetsGoUntilTheNextPress)
     QWidget other;
     QMenu menu(window.get());
     menu.addAction("an entry");  // Qt 6.8 shows no empty menu
-    const auto freeze = [] {
+    const auto freeze = [this] {
+        clock.leave();
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
         while (std::chrono::steady_clock::now() < end) continue;
     };
@@ -264,12 +243,11 @@ TEST_F(GamepadConsole, anUnmetPreconditionIsShown)
 {
     ASSERT_NO_FATAL_FAILURE(openScripted());
     QTest::keyClick(window.get(), Qt::Key_F3);
-    const auto pushesThenHolds = [&] {
-        push(1.0);
-        deadMan(true);
-    };
-    EXPECT_TRUE(triesUntil("hold the dead-man control first", pushesThenHolds));
-    EXPECT_TRUE(triesUntil("it is done on the page Terrain (F2)", [&] { holdsThenPushes(); }));
+    push(1.0);
+    deadMan(true);
+    EXPECT_TRUE(eventually([&] { return hasEvent("hold the dead-man control first"); }));
+    holdsThenPushes();
+    EXPECT_TRUE(eventually([&] { return hasEvent("it is done on the page Terrain (F2)"); }));
     EXPECT_TRUE(drivesNothing());
 }
 
@@ -278,11 +256,14 @@ TEST_F(GamepadConsole, theStepLimitChangesByOneStepPerPress)
     ASSERT_NO_FATAL_FAILURE(openScripted());
     const auto limit = [&] { return window->exploration().options().stepLimit; };
     const double before = limit();
-    EXPECT_TRUE(pressesUntil(PadButton::Up, [&] { return limit() > before; }));
+    settle();  // a control counts once it was seen at rest
+    pad->set(PadButton::Up, true);
+    EXPECT_TRUE(eventually([&] { return limit() > before; }));
     pad->set(PadButton::Up, false);
     settle();
     EXPECT_NEAR(limit(), before + 0.01, 1e-9) << "one step, however long it is pressed";
-    EXPECT_TRUE(pressesUntil(PadButton::Down, [&] { return limit() < before + 0.005; }));
+    pad->set(PadButton::Down, true);
+    EXPECT_TRUE(eventually([&] { return limit() < before + 0.005; }));
     pad->set(PadButton::Down, false);
     settle();
     EXPECT_DOUBLE_EQ(limit(), before);
@@ -299,12 +280,18 @@ struct GamepadThroughTheGate : GamepadConsole {
     /// Arms by the keyboard; explores by the gamepad until a probe is proposed.
     bool asks()
     {
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        if (!arms(*window)) return false;
         if (!eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }, 5000))
             return false;
         tap(PadButton::X);
-        if (!gets(AtemPhase::ProposingProbe)) return failsOnlyDisarmed();
-        return eventually([&] { return window->probeCard()->shown().has_value(); });
+        return gets(AtemPhase::ProposingProbe)
+            && eventually([&] { return window->probeCard()->shown().has_value(); });
+    }
+    /// Arms by the keyboard; drives by the gamepad.
+    bool drives()
+    {
+        return arms(*window) && eventually([&] { return forward()->isEnabled(); })
+            && GamepadConsole::drives() && robotIs(RobotActivity::Driving);
     }
     AtemPhase phase() const { return window->exploration().state().phase; }
 };
@@ -316,16 +303,10 @@ TEST_F(GamepadThroughTheGate, drivesOnlyWhileArmed)
         const auto why = window->exploration().whyNotDriving();
         return why && why->english().starts_with("not armed");
     }));
-    EXPECT_TRUE(inSomeGo([&] {
-        holdsThenPushes();
-        return eventually([&] { return hasEvent("not driven: not armed"); }, 3000);
-    }));
+    holdsThenPushes();
+    EXPECT_TRUE(eventually([&] { return hasEvent("not driven: not armed"); }));
     EXPECT_FALSE(robotDoes(RobotActivity::Driving));
-    EXPECT_TRUE(inSomeGo([&] {
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
-        return eventually([&] { return forward()->isEnabled(); }, 2000) && GamepadConsole::drives()
-            && robotIs(RobotActivity::Driving);
-    }));
+    EXPECT_TRUE(drives());
     deadMan(false);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
@@ -333,11 +314,7 @@ TEST_F(GamepadThroughTheGate, drivesOnlyWhileArmed)
 TEST_F(GamepadThroughTheGate, theLossOfThePadHaltsTheRobot)
 {
     ASSERT_NO_FATAL_FAILURE(open());
-    ASSERT_TRUE(inSomeGo([&] {
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
-        return eventually([&] { return forward()->isEnabled(); }, 2000) && GamepadConsole::drives()
-            && robotIs(RobotActivity::Driving);
-    }));
+    ASSERT_TRUE(drives());
     pad->detach();
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
     EXPECT_EQ(arming(), ArmingPhase::Armed);
@@ -370,7 +347,7 @@ TEST_F(GamepadThroughTheGate, stopDoesNotWaitForAFrozenWindow)
 {
     ASSERT_NO_FATAL_FAILURE(open());
     pad->set(PadButton::Back, true);
-    // No event of the window is handled here.
+    clock.leave();  // no event of the window is handled here
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!robotDoes(RobotActivity::Stopped) && std::chrono::steady_clock::now() < end) continue;
     EXPECT_TRUE(robotDoes(RobotActivity::Stopped));
@@ -379,37 +356,31 @@ TEST_F(GamepadThroughTheGate, stopDoesNotWaitForAFrozenWindow)
 TEST_F(GamepadThroughTheGate, aProbeIsApprovedByAHoldAndAReleaseCancels)
 {
     ASSERT_NO_FATAL_FAILURE(open());
-    ASSERT_TRUE(inSomeGo([&] {
-        window->probeCard()->approveButton()->setHoldTime(150);
-        pad->set(PadButton::A, true);  // pressed before the question: it approves nothing
-        if (!asks()) return false;
-        settle();
-        EXPECT_FALSE(window->probeCard()->approveButton()->isHeld());
-        pad->set(PadButton::A, false);
-        settle();
-        window->probeCard()->approveButton()->setHoldTime(60'000);
-        pad->set(PadButton::A, true);
-        EXPECT_TRUE(
-            eventually([&] { return window->probeCard()->approveButton()->share() > 0.0; }, 3000));
-        pad->set(PadButton::A, false);
-        EXPECT_TRUE(
-            eventually([&] { return !window->probeCard()->approveButton()->isHeld(); }, 3000));
-        if (phase() != AtemPhase::ProposingProbe) return failsOnlyDisarmed();
-        window->probeCard()->approveButton()->setHoldTime(150);
-        pad->set(PadButton::A, true);
-        return gets(AtemPhase::Presenting) || failsOnlyDisarmed();
-    }));
+    HoldToConfirmButton& approve = *window->probeCard()->approveButton();
+    pad->set(PadButton::A, true);  // pressed before the question: it approves nothing
+    ASSERT_TRUE(asks());
+    settle();
+    EXPECT_FALSE(approve.isHeld());
+    pad->set(PadButton::A, false);
+    settle();
+    approve.setHoldTime(60'000);
+    pad->set(PadButton::A, true);
+    EXPECT_TRUE(eventually([&] { return approve.share() > 0.0; }, 3000));
+    pad->set(PadButton::A, false);
+    EXPECT_TRUE(eventually([&] { return !approve.isHeld(); }, 3000));
+    ASSERT_EQ(phase(), AtemPhase::ProposingProbe);
+    approve.setHoldTime(150);
+    pad->set(PadButton::A, true);
+    EXPECT_TRUE(gets(AtemPhase::Presenting));
     EXPECT_TRUE(window->exploration().state().probed);
 }
 
 TEST_F(GamepadThroughTheGate, aProbeIsRefusedByAPress)
 {
     ASSERT_NO_FATAL_FAILURE(open());
-    ASSERT_TRUE(inSomeGo([&] {
-        if (!asks()) return false;
-        tap(PadButton::B);
-        return gets(AtemPhase::Presenting) || failsOnlyDisarmed();
-    }));
+    ASSERT_TRUE(asks());
+    tap(PadButton::B);
+    ASSERT_TRUE(gets(AtemPhase::Presenting));
     EXPECT_FALSE(window->exploration().state().probed);
 }
 
@@ -418,18 +389,13 @@ TEST_F(GamepadThroughTheGate, feelsForwardWhileItsTriggerIsHeld)
     gamepads = [] { return openSdlGamepad(); };
     openClear();
     const auto loops = [&] { return window->exploration().state().loops; };
-    ASSERT_TRUE(inSomeGo([&] {
-        pad->set(PadAxis::LeftTrigger, 0.0);
-        settle();
-        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
-        HeldButton* const feel = window->drivePad()->feelButton();
-        if (!eventually([&] { return feel->isEnabled(); }, 5000)) return false;
-        pad->set(PadAxis::LeftTrigger, 1.0);
-        (void)eventually([&] { return loops(); }, 3000);
-        (void)eventually([&] { return !loops() || window->exploration().pace().way > 0.05; },
-                         60000);
-        return loops();
-    }));
+    ASSERT_TRUE(arms(*window));
+    ASSERT_TRUE(eventually([&] { return window->drivePad()->feelButton()->isEnabled(); }));
+    pad->set(PadAxis::LeftTrigger, 1.0);
+    ASSERT_TRUE(eventually([&] { return loops(); }));
+    ASSERT_TRUE(
+        eventually([&] { return !loops() || window->exploration().pace().way > 0.05; }, 60000));
+    ASSERT_TRUE(loops());
     pad->set(PadAxis::LeftTrigger, 0.0);
     EXPECT_TRUE(eventually([&] { return !loops(); }, 3000));
     EXPECT_EQ(window->exploration().state().loopEnd, LoopEnd::LetGo);

@@ -95,10 +95,10 @@ TEST_F(BusConsole, aWholeSessionIsReadInTheReadersLanguage)
     recording = std::make_shared<SessionRecorder>(SessionRecorder::Options{
         .folder = directory.file("sessions"), .start = start, .patience = kBusyDisk});
     openOn();
-    ASSERT_TRUE(inSomeGo([&] { return drives(); }));
+    ASSERT_TRUE(drives());
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
-    ASSERT_TRUE(inSomeGo([&] { return exploresAndProbes(); }));
+    ASSERT_TRUE(exploresAndProbes());
     QTest::keyClick(window.get(), Qt::Key_K);
     QTest::keyClick(window.get(), Qt::Key_Delete);
     QTest::keyClick(window.get(), Qt::Key_F12);

@@ -63,7 +63,7 @@ TEST_F(LettersOfTheConsole, cutNothingOnAnyPageInAnyLanguage)
         applyLook(*qApp);
         ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
         open();
-        ASSERT_TRUE(inSomeGo([this] { return exploresAndProbes(); }));
+        ASSERT_TRUE(exploresAndProbes());
         QTest::mousePress(window->header()->stopButton(), Qt::LeftButton);
         ASSERT_TRUE(eventually([&] { return !window->alarms().list().alarms().empty(); }))
             << "no alarm stands";

@@ -12,9 +12,8 @@
 /// Arming by an operator, for every test with a console on a bus.
 namespace terratact {
 
-/// Attempts to arm. On a busy machine late heartbeats may disarm the console in one attempt; failing in all is an
-/// error.
-inline constexpr int kGoes = 10;
+/// [s] over a good link, after which the robot has heard its ten heartbeats
+inline constexpr double kHeardFor = 1.4;
 
 inline ArmingPhase armingOf(const MainWindow& window)
 {
@@ -39,19 +38,18 @@ inline bool armsOnce(MainWindow& window, const std::function<void()>& asked = {}
 {
     const ArmingControl& arming = *window.header()->arming();
     if (!gui::eventually([&] { return arming.armButton()->isEnabled(); })) return false;
-    QTest::qWait(400);  // waits for the robot's ten heartbeats
+    if (!gui::eventually([&] { return window.link()->view().link.goodFor > kHeardFor; }))
+        return false;
     QTest::keyClick(&window, Qt::Key_M);
     if (!gui::eventually([&] { return arming.confirmButton()->isVisible(); }, 2000)) return false;
     if (asked) asked();
     return confirmsArming(window);
 }
 
-/// Arms in one of several attempts; returns true if the console is armed.
+/// Arms unless the console is armed; returns true if it is.
 inline bool arms(MainWindow& window)
 {
-    for (int go = 0; go < kGoes && armingOf(window) != ArmingPhase::Armed; ++go)
-        (void)armsOnce(window);
-    return armingOf(window) == ArmingPhase::Armed;
+    return armingOf(window) == ArmingPhase::Armed || armsOnce(window);
 }
 
 }  // namespace terratact

@@ -33,6 +33,7 @@ struct Pages : testing::Test, RobotOnBench {
         startRobot();
         MainWindow::Options options =
             linked({.mode = CanSource::Mode::Transmit, .bitrate = 500'000.0});
+        options.exploration = {};  // the link is lost soon after the bus, as in use
         Preferences preferences;
         preferences.dbc = dbc;
         options.preferences = std::make_unique<PreferenceStore>(LoadedPreferences{}, preferences);

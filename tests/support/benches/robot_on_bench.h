@@ -1,13 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "app/console/main_window.h"
 #include "app/link/robot_in_process.h"
-#include "app/runtime/steady_now.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
+#include "tests/support/patient_clock.h"
 
 namespace terratact {
 
@@ -19,15 +20,24 @@ struct RobotOnBench {
         SimulatedRobot::Options simulation;
         simulation.startX = 2.0;
         robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, demoTerrain(), simulation), options);
+            bus, model, SimulatedRobot(model, demoTerrain(), simulation), options, time());
+    }
+    /// Returns the bus's clock, for everyone at it.
+    std::function<double()> time()
+    {
+        return [this] { return clock.now(); };
     }
     /// Returns the options of a window whose link is this bus end.
-    MainWindow::Options linked(std::unique_ptr<CanBus> end, CanSource::Options options) const
+    MainWindow::Options linked(std::unique_ptr<CanBus> end, CanSource::Options options)
     {
+        if (options.mode != CanSource::Mode::Replay) options.clock = time();  // a log has its own
         auto source = std::make_unique<CanSource>(std::move(end), model, std::move(options));
         MainWindow::Options console;
         console.robot = model;
+        // by the machine's clock, so it is long
+        console.exploration.linkLostAfter = console.exploration.staleAfter = 3.0;
         console.link = source.get();
+        console.inputClock = time();
         console.source = std::move(source);
         return console;
     }
@@ -37,7 +47,8 @@ struct RobotOnBench {
     }
 
     RobotModel model = absolem();
-    MemoryBus bus{steadyNow};
+    PatientClock clock;
+    MemoryBus bus{time()};
     std::unique_ptr<RobotInProcess> robot;
 };
 

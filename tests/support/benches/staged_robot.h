@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,7 +12,6 @@
 
 #include "app/link/robot_in_process.h"
 #include "app/link/robot_service.h"
-#include "app/runtime/steady_now.h"
 #include "core/sim/robot_on_bus.h"
 #include "core/wire/can_codec.h"
 #include "drivers/memory_bus.h"
@@ -35,21 +34,20 @@ struct Staging {
 };
 
 /// A simulated robot with staged telemetry, in its own thread at the end "robot" of a MemoryBus.
-/// The bus must outlive it. If a console's heartbeats stop, as on a busy machine, the robot's time
-/// pauses for a while.
+/// The bus must outlive it. clock: the robot's monotonic clock [s].
 class StagedRobot {
 public:
     StagedRobot(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
-                const RobotOnBus::Options& options)
+                const RobotOnBus::Options& options, const std::function<double()>& clock)
         : robot_(model, robot, options), truth_(trueHeights(robot)),
-          end_(*this, bus.join("robot", 0)), thread_([this](const std::stop_token& stop) {
+          end_(*this, bus.join("robot", 0)), thread_([this, clock](const std::stop_token& stop) {
               const auto keepTruth = [this] {
                   const std::scoped_lock lock(mutex_);
                   truth_ = trueHeights(robot_.robot());
               };
               (void)serveRobot(  // a MemoryBus never fails
                   end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
-                  keepTruth, [this] { return now(); });
+                  keepTruth, clock);
           })
     {
     }
@@ -80,10 +78,7 @@ private:
         Result<std::size_t> receive(std::span<BusFrame> frames,
                                     std::chrono::milliseconds patience) override
         {
-            auto count = bus_->receive(frames, patience);
-            for (std::size_t i = 0; count && i < *count; ++i)
-                if (!frames[i].echo) robot_.hear();
-            return count;
+            return bus_->receive(frames, patience);
         }
         Status send(const CanFrame& frame) override
         {
@@ -96,22 +91,6 @@ private:
         std::unique_ptr<CanBus> bus_;
     };
 
-    static constexpr double kBeat = 0.2;   // [s] of robot time that pass after a frame
-    static constexpr double kWaits = 2.0;  // [s] of real time to wait for a heartbeat
-
-    double now()
-    {
-        const double machine = steadyNow();
-        const double passed = machine - std::exchange(machine_, machine);
-        const bool waits = newestFrame_ && machine - newestFrameAt_ < kWaits;
-        time_ = waits ? std::clamp(*newestFrame_ + kBeat, time_, time_ + passed) : time_ + passed;
-        return time_;
-    }
-    void hear()
-    {
-        newestFrame_ = now();
-        newestFrameAt_ = machine_;
-    }
     std::optional<CanFrame> staged(const CanFrame& frame)
     {
         const std::scoped_lock lock(mutex_);
@@ -149,11 +128,7 @@ private:
         return status;
     }
 
-    RobotOnBus robot_;  // used by the thread only, with the members below
-    double time_ = 0.0;
-    double machine_ = steadyNow();
-    std::optional<double> newestFrame_;  ///< [s] robot time of the newest frame
-    double newestFrameAt_ = 0.0;         ///< [s] real time of the newest frame
+    RobotOnBus robot_;  // used by the thread only
 
     mutable std::mutex mutex_;  // guards the members below
     Staging staging_;

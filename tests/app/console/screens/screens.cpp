@@ -276,7 +276,8 @@ void Screens::open(const Setting& setting)
     close();
     sessions_ = std::make_unique<TemporaryDirectory>();
     robot = std::make_unique<StagedRobot>(bus, model, simulated(model, setting),
-                                          RobotOnBus::Options{.firstEpoch = 9, .speed = kSpeed});
+                                          RobotOnBus::Options{.firstEpoch = 9, .speed = kSpeed},
+                                          [this] { return clock.now(); });
     robot->stage(setting.staging);
     const auto recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
         .folder = setting.sessions.empty() ? sessions_->file("sessions") : setting.sessions,
@@ -288,17 +289,15 @@ void Screens::open(const Setting& setting)
         CanSource::Options{
             .mode = setting.mode,
             .name = transmits ? "SIMULATED ROBOT" : "",
-            .link = {.gate = {.statusAge = 3.0,
-                              .answerAge = 3.0,
-                              .operatorAge = 60.0,
-                              .operatorPause = 60.0}},
             .truth = [this] { return robot->truth(); },
             .bitrate = 500e3,
-            .received = [recorder](std::span<const BusFrame> frames) { recorder->add(frames); }});
+            .received = [recorder](std::span<const BusFrame> frames) { recorder->add(frames); },
+            .clock = [this] { return clock.now(); }});
     MainWindow::Options options;
     options.training.nice = 0;  // at the lowest priority, a busy machine never ends it
     options.robot = model;
     options.link = source.get();
+    options.inputClock = [this] { return clock.now(); };
     options.source = std::move(source);
     options.model = setting.model ? setting.model : altered();
     options.modelPath = resourcePath("models/default.ttm");
@@ -377,37 +376,31 @@ void Screens::explore()
 {
     Exploration& exploration = console->exploration();
     const auto phase = [&] { return exploration.state().phase; };
-    for (int attempt = 0; attempt < 3; ++attempt) {
-        ASSERT_NO_FATAL_FAILURE(arm());
-        if (exploring(phase())) exploration.abort();
-        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); },
-                               kPatience));
-        press(Qt::Key_A);
-        ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
-        ASSERT_TRUE(
-            eventually([&] { return phase() == AtemPhase::ProposingProbe || !exploring(phase()); },
-                       kPatience));
-        if (phase() != AtemPhase::ProposingProbe) continue;
-        ASSERT_TRUE(eventually(
-            [&] { return console->probeCard()->shown() || phase() != AtemPhase::ProposingProbe; },
-            kPatience));
-        return;
-    }
-    FAIL() << describe(phase()).english << ": " << describe(exploration.state().failure).english;
+    ASSERT_NO_FATAL_FAILURE(arm());
+    if (exploring(phase())) exploration.abort();
+    ASSERT_TRUE(
+        eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }, kPatience));
+    press(Qt::Key_A);
+    ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
+    ASSERT_TRUE(eventually(
+        [&] { return phase() == AtemPhase::ProposingProbe || !exploring(phase()); }, kPatience));
+    ASSERT_EQ(phase(), AtemPhase::ProposingProbe)
+        << describe(phase()).english << ": " << describe(exploration.state().failure).english;
+    ASSERT_TRUE(eventually(
+        [&] { return console->probeCard()->shown() || phase() != AtemPhase::ProposingProbe; },
+        kPatience));
 }
 
 void Screens::exploreWithoutProbe()
 {
     Exploration& exploration = console->exploration();
     const auto phase = [&] { return exploration.state().phase; };
-    for (int attempt = 0; attempt < 3 && !exploration.estimation().estimate(); ++attempt) {
-        ASSERT_NO_FATAL_FAILURE(arm());  // again if a busy machine has disarmed
-        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); },
-                               kPatience));
-        press(Qt::Key_A);
-        ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
-        ASSERT_TRUE(eventually([&] { return !exploring(phase()); }, kPatience));
-    }
+    ASSERT_NO_FATAL_FAILURE(arm());
+    ASSERT_TRUE(
+        eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }, kPatience));
+    press(Qt::Key_A);
+    ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
+    ASSERT_TRUE(eventually([&] { return !exploring(phase()); }, kPatience));
     ASSERT_TRUE(exploration.estimation().estimate())
         << describe(exploration.state().failure).english;
 }

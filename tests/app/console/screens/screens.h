@@ -16,12 +16,12 @@
 #include "app/console/main_window.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
-#include "app/runtime/steady_now.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"
 #include "tests/support/benches/staged_robot.h"
 #include "tests/support/devices/fake_gamepad.h"
 #include "tests/support/devices/panel_board.h"
+#include "tests/support/patient_clock.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -81,7 +81,7 @@ struct Screens : testing::Test {
 
     // Actions of the console.
     void arm();
-    /// Explores until a probe is proposed; tries again if a busy machine made the link degrade.
+    /// Explores until a probe is proposed.
     void explore();
     void exploreWithoutProbe();  ///< explores up to an estimate that offers no probe
     /// Approves the proposal without the hold.
@@ -100,7 +100,8 @@ struct Screens : testing::Test {
 
     std::set<std::string> said;  ///< all texts in the pictures of this language
     RobotModel model = absolem();
-    MemoryBus bus{steadyNow};
+    PatientClock clock;
+    MemoryBus bus{[this] { return clock.now(); }};
     std::unique_ptr<PanelBoard> board;  ///< set if there is a panel
     GamepadDesk desk;                   ///< controls of the gamepad
     std::unique_ptr<StagedRobot> robot;

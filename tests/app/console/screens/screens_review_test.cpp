@@ -114,17 +114,15 @@ TEST_F(Screens, result)
             const SeenStrip seen = estimation.remembered();
             return estimation.estimate() || seen.isEmpty() ? 0.0 : seen.side[0].front().way;
         };
-        for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // repeats on a busy machine
-            ASSERT_NO_FATAL_FAILURE(explore());
-            robot->stage({.explores = true});
-            press(Qt::Key_N);
-            ASSERT_TRUE(eventually([&] { return console->drivePad()->backButton()->isEnabled(); }));
-            QTest::keyPress(&window(), Qt::Key_S);
-            QTest::qWait(100);  // the robot ends the exploration slowly; the key is counted
-            robot->stage({});
-            (void)eventually([&] { return way() > 0.2; }, 5000);
-            QTest::keyRelease(&window(), Qt::Key_S);
-        }
+        ASSERT_NO_FATAL_FAILURE(explore());
+        robot->stage({.explores = true});
+        press(Qt::Key_N);
+        ASSERT_TRUE(eventually([&] { return console->drivePad()->backButton()->isEnabled(); }));
+        QTest::keyPress(&window(), Qt::Key_S);
+        QTest::qWait(100);  // the robot ends the exploration slowly; the key is counted
+        robot->stage({});
+        (void)eventually([&] { return way() > 0.2; });
+        QTest::keyRelease(&window(), Qt::Key_S);
         const QString moved = Exploration::tr("The robot has moved: explore again (A)");
         picture("remembered", {moved});
         EXPECT_GT(way(), 0.2) << console->exploration()

@@ -117,20 +117,16 @@ TEST_F(Screens, exploring)
             return latest && console->exploration().estimation().live()
                 && latest->sample.measurement.activity == RobotActivity::Pressing;
         };
-        for (int attempt = 0; attempt < 3 && !isSeenToPress();
-             ++attempt) {  // repeats on a busy machine
-            ASSERT_NO_FATAL_FAILURE(arm());
-            robot->stage({.activity = RobotActivity::Driving});
-            ASSERT_TRUE(
-                eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
-            press(Qt::Key_A);
-            ASSERT_TRUE(reaches(AtemPhase::Halting));
-            if (attempt == 0) picture("halting", {told(describe(AtemPhase::Halting))});
-            robot->stage({.lasts = RobotActivity::Pressing});
-            (void)eventually([&] {
-                return isSeenToPress() || console->exploration().state().phase == AtemPhase::Failed;
-            });
-        }
+        ASSERT_NO_FATAL_FAILURE(arm());
+        robot->stage({.activity = RobotActivity::Driving});
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+        press(Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Halting));
+        picture("halting", {told(describe(AtemPhase::Halting))});
+        robot->stage({.lasts = RobotActivity::Pressing});
+        (void)eventually([&] {
+            return isSeenToPress() || console->exploration().state().phase == AtemPhase::Failed;
+        });
         ASSERT_TRUE(isSeenToPress()) << describe(console->exploration().state().failure).english;
         picture("live_preview",
                 {told(describe(AtemPhase::Pressing)), TerrainPage::tr("LIVE preview")});
@@ -332,9 +328,7 @@ TEST_F(Screens, probe)
         exploration.setSecondMethod(std::nullopt);
 
         HoldToConfirmButton& approveButton = *console->probeCard()->approveButton();
-        if (exploration.state().phase != AtemPhase::ProposingProbe) {
-            ASSERT_NO_FATAL_FAILURE(explore());  // a busy machine may have lost it
-        }
+        ASSERT_EQ(exploration.state().phase, AtemPhase::ProposingProbe);
         holdAtHalf(approveButton, Qt::Key_Space, "hold_to_approve_at_half", {question});
         QTest::keyRelease(&window(), Qt::Key_Space);
         ASSERT_TRUE(eventually([&] { return !approveButton.isHeld(); }));
@@ -373,11 +367,9 @@ TEST_F(Screens, probe)
                 [&] { return exploration.estimation().model().name.toStdString() == name; },
                 60000));
         };
-        for (int attempt = 0; attempt < 3; ++attempt) {  // repeats on a busy machine
-            ASSERT_NO_FATAL_FAILURE(explore());
-            ASSERT_NO_FATAL_FAILURE(chooseModel("other" + std::to_string(attempt) + ".ttm"));
-            if (exploration.state().phase == AtemPhase::ProposingProbe) break;
-        }
+        ASSERT_NO_FATAL_FAILURE(explore());
+        ASSERT_NO_FATAL_FAILURE(chooseModel("other.ttm"));
+        ASSERT_EQ(exploration.state().phase, AtemPhase::ProposingProbe);
         picture("question_of_another_model",
                 {QCoreApplication::translate(
                      "Preconditions", "scene, settings or model have changed since the question"),
@@ -391,21 +383,23 @@ TEST_F(Screens, probe)
 TEST_F(Screens, tooLate)
 {
     inEveryLanguage([&] {
-        AtemLimits hasty = kPatient;
-        hasty.approval = hasty.probe = 0.6;
-        open({.limits = hasty});
-        ASSERT_NO_FATAL_FAILURE(explore());
+        const auto impatient = [](double AtemLimits::*of) {
+            AtemLimits limits = kPatient;
+            limits.*of = 0.6;
+            return limits;
+        };
+        open({.limits = impatient(&AtemLimits::approval)});
+        ASSERT_NO_FATAL_FAILURE(arm());
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+        press(Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
         picture("no_answer_in_time",
                 {TerrainPage::tr("The proposal was not answered in time and counts as refused."),
                  AtemPanel::tr("; no answer in time counts as refused")});
+        open({.limits = impatient(&AtemLimits::probe)});
+        ASSERT_NO_FATAL_FAILURE(explore());
         robot->stage({.lasts = RobotActivity::Probing});
-        for (int attempt = 0; attempt < 5; ++attempt) {  // a busy machine answers late
-            ASSERT_NO_FATAL_FAILURE(explore());
-            if (console->exploration().proposal()) approve();
-            ASSERT_TRUE(eventually(
-                [&] { return console->exploration().state().phase != AtemPhase::ProposingProbe; }));
-            if (!console->exploration().state().approvalExpired) break;
-        }
+        approve();
         ASSERT_TRUE(reaches(AtemPhase::Failed));
         picture("probe_took_too_long", {told(describe(AtemFailure::ProbeTimeout))});
 
@@ -413,21 +407,12 @@ TEST_F(Screens, tooLate)
                                    bool holds = false) {
             open({.limits = limits});
             holdsEstimates = holds;
-            for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine may disarm
-                ASSERT_NO_FATAL_FAILURE(arm());
-                robot->stage(staging);
-                ASSERT_TRUE(
-                    eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
-                press(Qt::Key_A);
-                ASSERT_TRUE(reaches(AtemPhase::Failed));
-                if (console->exploration().state().failure != AtemFailure::Disarmed) return;
-                robot->stage({});
-            }
-        };
-        const auto impatient = [](double AtemLimits::*of) {
-            AtemLimits limits = kPatient;
-            limits.*of = 0.6;
-            return limits;
+            ASSERT_NO_FATAL_FAILURE(arm());
+            robot->stage(staging);
+            ASSERT_TRUE(
+                eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+            press(Qt::Key_A);
+            ASSERT_TRUE(reaches(AtemPhase::Failed));
         };
         ASSERT_NO_FATAL_FAILURE(
             failsWith(impatient(&AtemLimits::halt), {.activity = RobotActivity::Driving}));

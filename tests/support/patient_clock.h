@@ -1,0 +1,75 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+#include <mutex>
+
+#include "app/runtime/steady_now.h"
+
+namespace terratact {
+
+/// The machine's clock, but never further than kMostAhead past the time that each of its threads read last. A busy
+/// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
+/// once they read again. A thread that has ended does not count, nor one that reads so rarely that it was gone.
+class PatientClock {
+public:
+    /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn
+    static constexpr double kMostAhead = 0.02;
+    /// [s] of the machine's clock without a read, after which a thread is gone
+    static constexpr double kGone = 0.5;
+    /// [s] the same for the window's thread, which may paint for long
+    static constexpr double kWindowGone = 10.0;
+
+    /// Returns the time [s]; any thread may call it. The calling thread counts from now on.
+    double now()
+    {
+        const std::scoped_lock lock(mutex_);
+        const double machine = steadyNow();
+        if (time_ == 0.0) time_ = machine;
+        const auto mine = reads_.find(::gettid());
+        if (mine != reads_.end()) mine->second.machine = machine;
+        double until = machine;
+        for (auto read = reads_.begin(); read != reads_.end();) {
+            const bool waits = read->second.time + kMostAhead < machine;
+            const double gone = read->first == ::getpid() ? kWindowGone : kGone;
+            if (waits && (machine - read->second.machine > gone || hasEnded(read->first))) {
+                read = reads_.erase(read);
+                continue;
+            }
+            until = std::min(until, read->second.time + kMostAhead);
+            ++read;
+        }
+        time_ = std::max(time_, until);
+        reads_[::gettid()] = {time_, machine};
+        return time_;
+    }
+    /// The calling thread does not count until it reads again: what it does then takes time.
+    void leave()
+    {
+        const std::scoped_lock lock(mutex_);
+        reads_.erase(::gettid());
+    }
+    /// Returns the time that the calling thread read last [s].
+    double lastRead() const
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto read = reads_.find(::gettid());
+        return read == reads_.end() ? time_ : read->second.time;
+    }
+
+private:
+    struct Read {
+        double time = 0.0;     ///< [s] of this clock
+        double machine = 0.0;  ///< [s] of the machine's clock
+    };
+    static bool hasEnded(pid_t thread) { return ::tgkill(::getpid(), thread, 0) != 0; }
+
+    mutable std::mutex mutex_;  // guards the members below
+    std::map<pid_t, Read> reads_;
+    double time_ = 0.0;
+};
+
+}  // namespace terratact
