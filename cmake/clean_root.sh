@@ -10,7 +10,7 @@ root=
 keep=
 emulator=  # runs the programs of another architecture
 sources=/usr/src/terratact  # in the root
-commit=$(git rev-parse HEAD)  # of all roots that the script makes
+commit=  # of all roots that the script makes
 
 # step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits. The command runs
 # in a process of its own, because bash ignores `set -e` in a function on the left of ||.
@@ -60,6 +60,7 @@ make_root() {
 copy_sources() {
   mkdir -p "$root$sources"
   find "$root$sources" -mindepth 1 -maxdepth 1 ! -name .deps -exec rm -rf {} +
+  commit=${commit:-$(git rev-parse HEAD)}
   git archive "$commit" | tar -x -C "$root$sources"
   step "apt-get update" inside apt-get -q update
   [ -n "${CCACHE_DIR:-}" ] || return 0

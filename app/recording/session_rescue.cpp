@@ -161,7 +161,8 @@ bool canWriteBeside(const std::string& path)
 Status requireRoom(const std::string& path, const std::string& out, const std::string& why)
 {
     std::error_code none;
-    if (std::filesystem::exists(out, none)) return fileError(out, "is there already");
+    if (std::filesystem::exists(out, none))
+        return fileError(out, "is there already: name another file");
     if (canWriteBeside(out)) return Done{};
     return fileError(path,
                      why + ", and " + out + " cannot be made: --out names a new session elsewhere");

@@ -36,10 +36,13 @@ private:
     __gnu_cxx::stdio_filebuf<char> buffer_;
 };
 
-/// Passes whole lines to a terminal, as printableLines().
+/// Passes whole lines to a terminal, as printableLines(), and the unfinished one at its end.
 class TerminalBuffer final : public std::streambuf {
 public:
     explicit TerminalBuffer(std::streambuf* terminal) : terminal_(terminal) {}
+    ~TerminalBuffer() override { (void)sync(); }
+    TerminalBuffer(const TerminalBuffer&) = delete;
+    TerminalBuffer& operator=(const TerminalBuffer&) = delete;
 
 protected:
     int overflow(int character) override
@@ -61,16 +64,25 @@ private:
     std::string line_;
 };
 
+/// Writes to a terminal. stream: of the terminal.
 class TerminalStream final : public std::ostream {
 public:
-    explicit TerminalStream(std::streambuf* terminal) : std::ostream(nullptr), buffer_(terminal)
+    explicit TerminalStream(std::unique_ptr<std::ostream> stream)
+        : std::ostream(nullptr), terminal_(std::move(stream)), buffer_(terminal_->rdbuf())
     {
         rdbuf(&buffer_);
     }
 
 private:
+    std::unique_ptr<std::ostream> terminal_;
     TerminalBuffer buffer_;
 };
+
+std::unique_ptr<std::ostream> streamFor(int descriptor, std::unique_ptr<std::ostream> stream)
+{
+    if (::isatty(descriptor) == 0) return stream;
+    return std::make_unique<TerminalStream>(std::move(stream));
+}
 
 }  // namespace
 
@@ -109,14 +121,10 @@ TextOutput::TextOutput(std::string path, std::optional<NewFile> file,
 
 Result<TextOutput> TextOutput::begin(const std::string& path)
 {
-    if (isStandardOutput(path)) {
-        std::unique_ptr<std::ostream> stream;
-        if (::isatty(STDOUT_FILENO) != 0)
-            stream = std::make_unique<TerminalStream>(std::cout.rdbuf());
-        else
-            stream = std::make_unique<std::ostream>(std::cout.rdbuf());
-        return TextOutput("the standard output", std::nullopt, std::move(stream));
-    }
+    if (isStandardOutput(path))
+        return TextOutput(
+            "the standard output", std::nullopt,
+            streamFor(STDOUT_FILENO, std::make_unique<std::ostream>(std::cout.rdbuf())));
     std::optional<NewFile> file;
     if (isStream(path)) {
         if (Status direct = checkLinks(path); !direct) return direct.error();
@@ -130,7 +138,8 @@ Result<TextOutput> TextOutput::begin(const std::string& path)
     if (descriptor < 0)
         return fileError(path, "cannot be written: " + std::generic_category().message(errno),
                          errno);
-    return TextOutput(path, std::move(file), std::make_unique<DescriptorStream>(descriptor));
+    return TextOutput(path, std::move(file),
+                      streamFor(descriptor, std::make_unique<DescriptorStream>(descriptor)));
 }
 
 Status TextOutput::end()

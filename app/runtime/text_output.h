@@ -25,7 +25,7 @@ std::FILE* messagesBeside(const std::string& out);
 
 /// Sequential output. A file is written completely or not at all, like NewFile. Standard output, a pipe or a character
 /// device is written at once, so output before an error remains. On a terminal it is printableLines(): texts of files
-/// move no cursor.
+/// move no cursor. There an unfinished line appears at the end.
 class TextOutput {
 public:
     /// Opens the output. Errors name the file, like those of NewFile::begin().

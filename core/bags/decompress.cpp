@@ -154,8 +154,7 @@ Status ChunkUnpacker::unpack(std::string_view method, std::string_view bytes, st
     }
     left_ = 0;
     into.clear();
-    return Error{fmt::format(
-        "would unpack the recording to more than {} bytes, which is no recording", most_)};
+    return Error{fmt::format("is beyond the {} bytes that this recording may expand to", most_)};
 }
 
 }  // namespace terratact

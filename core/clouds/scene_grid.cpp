@@ -12,8 +12,9 @@
 namespace terratact {
 namespace {
 
-constexpr double kSmallSquare = 0.25, kLargeSquare = 1.0;  // [m]
-constexpr double kOwnMargin = 0.03;                        // [m] around the robot's box
+constexpr double kSmallSquare = 0.25, kLargeSquare = 1.0, kPassSquare = 0.1;  // [m]
+constexpr std::size_t kMostPassesOfSquare = 20;
+constexpr double kOwnMargin = 0.03;  // [m] around the robot's box
 constexpr double kShortestHalf =
     0.75 + kMaxCellsMoved * kTruthCell;  // [m] the front end of the bins, with a moved cloud
 constexpr double kLongestHalf = 1.55;
@@ -85,7 +86,10 @@ Result<SceneGrid> SceneGrid::over(const RobotModel& robot, std::vector<ScenePlac
                          0};
         }
     for (const ScenePlace& place : grid.places_) grid.lowerCeilings(place, true);
-    for (const ScenePlace& pass : passes) grid.lowerCeilings(pass, false);
+    std::unordered_map<std::int64_t, std::size_t> passed;
+    for (const ScenePlace& pass : passes)
+        if (++passed[squareOf(pass.imu.x(), pass.imu.y(), kPassSquare)] <= kMostPassesOfSquare)
+            grid.lowerCeilings(pass, false);
     return grid;
 }
 

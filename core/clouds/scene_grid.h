@@ -36,7 +36,8 @@ public:
     static constexpr std::size_t kMostOverOnePlace = 500;
     static constexpr std::size_t kMostOfCell = 48, kLeastOfCell = 8;
 
-    /// passes: further poses of the drive, of which only pitch, roll and the tracks count. The robot was there, so
+    /// passes: further poses of the drive, of which only pitch, roll and the tracks count, and the first few of each
+    /// square of 10 cm. The robot was there, so
     /// the ground was not: no pose of `places` or `passes` has ground above the robot's lower boundary.
     /// Errors: more scenes than kMaxSamples allow, or more than kMostOverOnePlace over one place: each of its points
     /// falls under all of them.

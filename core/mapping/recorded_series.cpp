@@ -447,7 +447,8 @@ private:
 
 std::uintmax_t mostSamples(std::uintmax_t recordingBytes)
 {
-    return std::clamp(recordingBytes, std::uintmax_t{1'000'000}, std::uintmax_t{kMaxSamples});
+    constexpr std::uintmax_t kMost = kMaxSamples;
+    return std::clamp(4 * std::min(recordingBytes, kMost), std::uintmax_t{1'000'000}, kMost);
 }
 
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,

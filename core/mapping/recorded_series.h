@@ -54,8 +54,8 @@ Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
 
 inline constexpr std::size_t kMaxSamples = 20'000'000;  ///< 480 MB
 
-/// Returns the most mapped values of a recording of this size [bytes]: one for each byte, at least a million, at most
-/// kMaxSamples. A value of a message takes several bytes, also compressed.
+/// Returns the most mapped values of a recording of this size [bytes]: four for each byte, at least a million, at most
+/// kMaxSamples. A small file asks for little memory, however it is compressed.
 std::uintmax_t mostSamples(std::uintmax_t recordingBytes);
 
 }  // namespace terratact

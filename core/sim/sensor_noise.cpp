@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/learn/data/columns.h"
+
 namespace terratact {
 namespace {
 
@@ -28,6 +30,12 @@ double withNoise(double x, double sd, std::mt19937_64& rng)
     return x + sd * standard(rng);
 }
 
+void addCurrentNoise(std::optional<double>& current, const SensorNoise& noise, std::mt19937_64& rng)
+{
+    if (current)
+        current = std::clamp(withNoise(*current, noise.current, rng), -kMostCurrent, kMostCurrent);
+}
+
 void addForceNoise(std::array<std::optional<double>, kForceElements>& forces,
                    const SensorNoise& noise, double saturation, std::mt19937_64& rng)
 {
@@ -48,8 +56,8 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
     s.pitch = withNoise(s.pitch, noise.pitch, rng);
     s.front = withNoise(s.front, noise.flipperAngle, rng);
     s.rear = withNoise(s.rear, noise.flipperAngle, rng);
-    if (s.frontCurrent) s.frontCurrent = withNoise(*s.frontCurrent, noise.current, rng);
-    if (s.rearCurrent) s.rearCurrent = withNoise(*s.rearCurrent, noise.current, rng);
+    addCurrentNoise(s.frontCurrent, noise, rng);
+    addCurrentNoise(s.rearCurrent, noise, rng);
     addForceNoise(s.force, noise, saturation, rng);
     return s;
 }
@@ -63,8 +71,7 @@ TwoTrackReadings noisy(const TwoTrackReadings& exact, const SensorNoise& noise, 
     s.roll = withNoise(s.roll, noise.pitch, rng);
     for (double& angle : s.flippers) angle = withNoise(angle, noise.flipperAngle, rng);
     if (s.differential) s.differential = withNoise(*s.differential, noise.flipperAngle, rng);
-    for (std::optional<double>& current : s.currents)
-        if (current) current = withNoise(*current, noise.current, rng);
+    for (std::optional<double>& current : s.currents) addCurrentNoise(current, noise, rng);
     for (auto& forces : s.forces) addForceNoise(forces, noise, saturation, rng);
     return s;
 }

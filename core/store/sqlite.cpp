@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <new>
 #include <system_error>
 #include <utility>
 
@@ -305,22 +304,22 @@ void SqliteFile::grantBytes(int times)
     *bytesLeft_ = times * size_;
 }
 
-/// Checks that no file has the name that SQLite would give to one beside a new file.
 void SqliteFile::requireNothingBeside(const std::string& path)
 {
     for (const char* const end : {"-wal", "-shm", "-journal"}) {
         const std::string beside = besideFile(path, end);
         std::error_code none;
         if (std::filesystem::exists(std::filesystem::symlink_status(beside, none)))
-            throw SqliteError(Message(
-                TR_NOOP("core", "%1 is there already, and belongs to a file of this name: name "
-                                "another file"),
-                printable(std::filesystem::path(beside).filename().string())));
+            throw SqliteError(
+                Message(TR_NOOP("core", "%1 is there already and would be taken for its journal: "
+                                        "remove it, or name another file"),
+                        printable(std::filesystem::path(beside).filename().string())));
     }
 }
 
 void SqliteFile::makeEmpty(const std::string& path)
 {
+    requireNothingBeside(path);
     const int made =
         ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (made < 0)
@@ -334,7 +333,6 @@ void SqliteFile::makeEmpty(const std::string& path)
 
 SqliteFile SqliteFile::createLog(const std::string& path)
 {
-    requireNothingBeside(path);
     makeEmpty(path);
     try {
         SqliteFile file(path, SQLITE_OPEN_READWRITE);
@@ -420,8 +418,10 @@ std::string SqliteFile::structureFault()
     if (!statement.step()) throw SqliteError(TR_NOOP("core", "its structure cannot be checked"));
     std::string finding = statement.text(0);
     if (finding == "ok") return {};
-    constexpr std::string_view kNoMemory = "error code=7";  // SQLITE_NOMEM of a page
-    if (finding.find(kNoMemory) != std::string::npos) throw std::bad_alloc();
+    // SQLite reports SQLITE_NOMEM as a fault of a page.
+    if (finding.ends_with("error code=7")
+        && finding.find("unable to get the page") != std::string::npos)
+        throw SqliteError(TR_NOOP("core", "out of memory"));
     std::replace(finding.begin(), finding.end(), '\n', ' ');
     return finding;
 }

@@ -90,8 +90,8 @@ public:
     /// Returns the bytes of a log and its journal at the last call of grantBytes().
     std::int64_t size() const { return size_; }
 
-    /// Creates an empty file for its owner only (mode 0600). It must not exist.
-    static void requireNothingBeside(const std::string& path);
+    /// Creates an empty file for its owner only (mode 0600). Neither it nor a file that SQLite would
+    /// take for its journal may exist.
     static void makeEmpty(const std::string& path);
 
     /// Opens an empty file to fill it and then rename it (core/store/file_write.h): no journal, no
@@ -108,6 +108,7 @@ public:
     void close();
 
 private:
+    static void requireNothingBeside(const std::string& path);
     struct Close {
         void operator()(sqlite3* file) const;
     };

@@ -6072,16 +6072,16 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>má název žurnálu relace: zadejte jiný soubor</translation>
     </message>
     <message>
-        <source>%1 is there already, and belongs to a file of this name: name another file</source>
-        <translation>%1 již existuje a patří k souboru tohoto názvu: zadejte jiný soubor</translation>
-    </message>
-    <message>
         <source>is there already: name another file</source>
         <translation>již existuje: zadejte jiný soubor</translation>
     </message>
     <message>
         <source>the file system refuses it: %1</source>
         <translation>souborový systém to odmítl: %1</translation>
+    </message>
+    <message>
+        <source>%1 is there already and would be taken for its journal: remove it, or name another file</source>
+        <translation>%1 již existuje a bylo by považováno za jeho žurnál: odstraňte ho, nebo zadejte jiný soubor</translation>
     </message>
 </context>
 <context>

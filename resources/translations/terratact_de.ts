@@ -6072,16 +6072,16 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>sie hat den Namen des Journals einer Sitzung: eine andere Datei nennen</translation>
     </message>
     <message>
-        <source>%1 is there already, and belongs to a file of this name: name another file</source>
-        <translation>%1 gibt es schon, und sie gehört zu einer Datei dieses Namens: eine andere Datei nennen</translation>
-    </message>
-    <message>
         <source>is there already: name another file</source>
         <translation>gibt es schon: eine andere Datei nennen</translation>
     </message>
     <message>
         <source>the file system refuses it: %1</source>
         <translation>das Dateisystem verweigert es: %1</translation>
+    </message>
+    <message>
+        <source>%1 is there already and would be taken for its journal: remove it, or name another file</source>
+        <translation>%1 gibt es schon und würde für ihr Journal gehalten: entfernen oder eine andere Datei nennen</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 """Tests terratact-console on its simulated robot with an X server's mouse and keys, at font scales of 100 and 200 %.
 
-The operator reacts to what the console records and shows, never to the clock. Run by tests/kernel/run.sh on the guest's
+The operator reacts to what the console records and shows. Explorations are run by tests/kernel/run.sh on the guest's
 clock, by which the console is never late.
 """
 
@@ -21,16 +21,31 @@ PROPOSED, STANDS = "proposing-probe", "presenting"
 
 
 class Console(unittest.TestCase):
+    SERVER = ()  # further arguments of the X server
+
     def begins(self, *arguments, size="1600x1000"):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        begin_display(self, "-fbdir", folder.name, *HIDDEN, size=size)
+        begin_display(self, "-fbdir", folder.name, *self.SERVER, size=size)
         self.screen = Screen(folder.name)
         self.console, session, hands = begin_console(
             self, CONSOLE, "--size", size, "--language", "en", *arguments, name="SIMULATED ROBOT — Terratact",
             preferences=["probe-above=0.01", "theme=day"])  # the low threshold always proposes a probe
         self.operator = Operator(hands, session)
         self.operator.until(lambda: any("model" in text for *_, text in self.operator.events("word")), what="a model")
+
+    def ends_well(self):
+        self.console.terminate()
+        self.assertEqual(self.console.wait(timeout=60), 0)
+
+
+class Explorations(Console):
+    """Of a robot in the console's process."""
+
+    SERVER = HIDDEN
+
+    def begins(self, *arguments, size="1600x1000"):
+        super().begins(*arguments, size=size)
         self.operator.until(lambda: ("link", "up", "") in self.operator.events(), what="telemetry")
         time.sleep(1.5)  # of the guest's clock: arming needs a good link for a second
 
@@ -67,10 +82,6 @@ class Console(unittest.TestCase):
             self.assertFalse(self.came("failed", since), self.operator.events()[-12:])
             return condition()
         self.operator.until(ends, what=what)
-
-    def ends_well(self):
-        self.console.terminate()
-        self.assertEqual(self.console.wait(timeout=60), 0)
 
     def refuses_after_short_holds(self, since):
         operator = self.operator
@@ -129,6 +140,8 @@ class Console(unittest.TestCase):
         self.assertNotIn("approve", operator.decisions())
         self.ends_well()
 
+
+class Windows(Console):
     def test_colours_change_at_once(self):
         self.begins()
 
@@ -144,7 +157,7 @@ class Console(unittest.TestCase):
         self.ends_well()
 
     def test_file_refusals_are_shown_in_the_language(self):
-        begin_display(self, *HIDDEN, size="1280x800")
+        begin_display(self, size="1280x800")
         with tempfile.TemporaryDirectory() as folder:
             broken = pathlib.Path(folder) / "broken.log"
             broken.write_text("nothing that candump has written\n")

@@ -82,10 +82,6 @@ class Running:
             pass
         return text
 
-    def has_said_more(self):
-        """Returns true if there is output that was not read; the end counts as output."""
-        return not self.lines.empty()
-
     def wait(self):
         """Waits for the end and returns the exit status."""
         self.reader.join(timeout=100)

@@ -3,6 +3,7 @@
 
 #include <QMenu>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -28,6 +29,25 @@ namespace {
 
 using gui::eventually;
 
+/// Counts how often a gamepad was read.
+class CountedGamepad final : public Gamepad {
+public:
+    CountedGamepad(std::unique_ptr<Gamepad> gamepad, std::shared_ptr<std::atomic<int>> reads)
+        : gamepad_(std::move(gamepad)), reads_(std::move(reads))
+    {
+    }
+    GamepadState poll(std::chrono::milliseconds pause) override
+    {
+        GamepadState state = gamepad_->poll(pause);
+        ++*reads_;
+        return state;
+    }
+
+private:
+    std::unique_ptr<Gamepad> gamepad_;
+    std::shared_ptr<std::atomic<int>> reads_;
+};
+
 /// A console with a scripted robot and a virtual joystick of SDL.
 struct GamepadConsole : BusConsole {
     void openScripted(std::unique_ptr<Gamepad> gamepad)
@@ -49,7 +69,7 @@ struct GamepadConsole : BusConsole {
     }
     void openScripted()
     {
-        openScripted(openSdlGamepad());
+        openScripted(sdlPad());
         ASSERT_TRUE(eventually([&] { return hasEvent("gamepad connected: Test pad"); }));
     }
     HeldButton* forward() const { return window->drivePad()->forwardButton(); }
@@ -58,8 +78,18 @@ struct GamepadConsole : BusConsole {
     {
         return !window->events()->findItems(words, Qt::MatchContains).empty();
     }
-    /// Lets the console see the present state of the pad.
-    static void settle() { QTest::qWait(60); }
+    std::unique_ptr<Gamepad> sdlPad() const
+    {
+        return std::make_unique<CountedGamepad>(openSdlGamepad(), reads);
+    }
+    /// Lets the console see the present state of the pad: the second read from now on has it, then the window looks.
+    void settle() const
+    {
+        const int seen = *reads;
+        (void)eventually([&] { return *reads >= seen + 3; },
+                         1000);  // a gamepad that hangs is not read
+        for (int look = 0; look < 3; ++look) QTest::qWait(20);
+    }
     void deadMan(bool held) { pad->set(PadAxis::RightTrigger, held ? 1.0 : 0.0); }
     void push(double forward) { pad->set(PadAxis::LeftY, -forward); }
     /// Holds the dead-man, then pushes the stick.
@@ -115,6 +145,7 @@ struct GamepadConsole : BusConsole {
     }
 
     std::unique_ptr<VirtualPad> pad = std::make_unique<VirtualPad>();
+    std::shared_ptr<std::atomic<int>> reads = std::make_shared<std::atomic<int>>(0);
     ScriptedSource* script = nullptr;
     std::vector<Command> commands;
 };
@@ -212,7 +243,7 @@ TEST_F(GamepadConsole, whateverLeavesTheWindowLetsGoUntilTheNextPress)
 TEST_F(GamepadConsole, whatIsHeldWhenThePadAppearsMeansNothing)
 {
     GamepadDesk desk;
-    ASSERT_NO_FATAL_FAILURE(openScripted(desk.gamepad()));
+    ASSERT_NO_FATAL_FAILURE(openScripted(std::make_unique<CountedGamepad>(desk.gamepad(), reads)));
     GamepadState held;
     held.connection = 1;
     held.name = "Held pad";
@@ -243,6 +274,7 @@ TEST_F(GamepadConsole, anUnmetPreconditionIsShown)
 {
     ASSERT_NO_FATAL_FAILURE(openScripted());
     QTest::keyClick(window.get(), Qt::Key_F3);
+    settle();  // a control counts once it was seen at rest
     push(1.0);
     deadMan(true);
     EXPECT_TRUE(eventually([&] { return hasEvent("hold the dead-man control first"); }));
@@ -273,7 +305,7 @@ TEST_F(GamepadConsole, theStepLimitChangesByOneStepPerPress)
 struct GamepadThroughTheGate : GamepadConsole {
     void open()
     {
-        gamepads = [] { return openSdlGamepad(); };
+        gamepads = [this] { return sdlPad(); };
         BusConsole::open();
         ASSERT_TRUE(eventually([&] { return hasEvent("gamepad connected: Test pad"); }));
     }
@@ -386,7 +418,7 @@ TEST_F(GamepadThroughTheGate, aProbeIsRefusedByAPress)
 
 TEST_F(GamepadThroughTheGate, feelsForwardWhileItsTriggerIsHeld)
 {
-    gamepads = [] { return openSdlGamepad(); };
+    gamepads = [this] { return sdlPad(); };
     openClear();
     const auto loops = [&] { return window->exploration().state().loops; };
     ASSERT_TRUE(arms(*window));

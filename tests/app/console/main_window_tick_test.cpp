@@ -70,6 +70,7 @@ private:
 TEST_F(BusConsole, frozenWindowStopsTheDrive)
 {
     constexpr double kLimit = 0.1;  // [s]
+    const auto recorder = bus.join("recorder", 0);
     startQuickRobot();
     auto end = std::make_unique<KeptBus>(bus.join("can0"), clock);
     const KeptBus& kept = *end;
@@ -77,6 +78,7 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
                      [] { return Result<LoadedModel>(madeUp()); });
     gui::showActive(*window);
     ASSERT_TRUE(drives());
+    (void)framesOf(*recorder);
     const double began = clock.now();
     clock.leave();
     std::this_thread::sleep_for(1s);  // this is the freeze: the window's thread does nothing
@@ -89,6 +91,13 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
     EXPECT_LE(static_cast<double>(driven.size()), kLimit / ConsoleLink::kDrivePeriod + 2.0);
     ASSERT_EQ(disarmings.size(), 1U) << "while the window stood still";
     EXPECT_GT(disarmings.front(), driven.back());
+    bool isDisarmed = false;
+    for (const BusFrame& heard : framesOf(*recorder)) {
+        const auto kind = kindOfId(heard.frame.id);
+        EXPECT_FALSE(isDisarmed && kind == FrameKind::Drive) << "on the bus, behind the disarming";
+        isDisarmed = isDisarmed || kind == FrameKind::Arm;
+    }
+    EXPECT_TRUE(isDisarmed);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
     QTest::keyRelease(window.get(), Qt::Key_W);
     EXPECT_EQ(arming(), ArmingPhase::Disarmed);

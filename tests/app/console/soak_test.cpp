@@ -223,6 +223,7 @@ struct Soak : testing::Test, RobotOnBench {
     {
         giveBackBigBlocks();
         applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+        isRealTime = wantedSeconds() > 0.0;
         startRobot();
         recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
@@ -413,6 +414,7 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
         const AtemPhase phase = window->exploration().state().phase;
         if (exploring(phase) && phase != AtemPhase::ProposingProbe) continue;
         runFor(100ms);
+        ASSERT_TRUE(arms());
         driveOn();
         window->exploration().request();
     }

@@ -7,6 +7,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "core/learn/data/columns.h"
+
 namespace terratact {
 namespace {
 
@@ -68,6 +70,24 @@ TEST(SensorNoise, keepsForcesBetweenZeroAndSaturation)
         }
     EXPECT_EQ(least, 0.0);
     EXPECT_EQ(most, kSaturation);
+}
+
+TEST(SensorNoise, keepsCurrentsPlausible)
+{
+    std::mt19937_64 rng(3);
+    Proprioception s = exact();
+    s.frontCurrent = 176.0;
+    s.rearCurrent = -125.0;
+    const Proprioception read = noisy(s, SensorNoise{}, kSaturation, rng);
+    EXPECT_EQ(read.frontCurrent, kMostCurrent);
+    EXPECT_EQ(read.rearCurrent, -kMostCurrent);
+    TwoTrackReadings both;
+    both.currents = {176.0, -125.0, 1.0, std::nullopt};
+    const TwoTrackReadings found = noisy(both, SensorNoise::none(), kSaturation, rng);
+    EXPECT_EQ(found.currents[0], kMostCurrent);
+    EXPECT_EQ(found.currents[1], -kMostCurrent);
+    EXPECT_EQ(found.currents[2], 1.0);
+    EXPECT_FALSE(found.currents[3]);
 }
 
 TEST(SensorNoise, leavesOutWhatIsNotMeasured)

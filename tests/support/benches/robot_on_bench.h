@@ -6,6 +6,7 @@
 
 #include "app/console/main_window.h"
 #include "app/link/robot_in_process.h"
+#include "app/runtime/steady_now.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/patient_clock.h"
@@ -25,7 +26,7 @@ struct RobotOnBench {
     /// Returns the bus's clock, for everyone at it.
     std::function<double()> time()
     {
-        return [this] { return clock.now(); };
+        return [this] { return isRealTime ? steadyNow() : clock.now(); };
     }
     /// Returns the options of a window whose link is this bus end.
     MainWindow::Options linked(std::unique_ptr<CanBus> end, CanSource::Options options)
@@ -35,7 +36,7 @@ struct RobotOnBench {
         MainWindow::Options console;
         console.robot = model;
         // by the machine's clock, so it is long
-        console.exploration.linkLostAfter = console.exploration.staleAfter = 3.0;
+        if (!isRealTime) console.exploration.linkLostAfter = console.exploration.staleAfter = 3.0;
         console.link = source.get();
         console.inputClock = time();
         console.source = std::move(source);
@@ -47,6 +48,7 @@ struct RobotOnBench {
     }
 
     RobotModel model = absolem();
+    bool isRealTime = false;  ///< the machine's clock and the limits of use, for measurements
     PatientClock clock;
     MemoryBus bus{time()};
     std::unique_ptr<RobotInProcess> robot;
