@@ -32,6 +32,10 @@ Message sqliteMessage(sqlite3* file)
     const int cause = sqlite3_system_errno(file);
     if ((code == SQLITE_IOERR || code == SQLITE_CANTOPEN) && cause != 0)
         return {TR_NOOP("core", "the file system refuses it: %1"), systemMessage(cause)};
+    if (sqlite3_extended_errcode(file) == SQLITE_IOERR_WRITE)
+        return TR_NOOP(
+            "core",
+            "cannot be written: is the disk full, or the file larger than ulimit -f allows?");
     for (const SourceText& usual : kUsual)
         if (said == usual.english) return usual;
     if (said.starts_with(kSchema))

@@ -6083,6 +6083,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1 is there already and would be taken for its journal: remove it, or name another file</source>
         <translation>%1 gibt es schon und würde für ihr Journal gehalten: entfernen oder eine andere Datei nennen</translation>
     </message>
+    <message>
+        <source>cannot be written: is the disk full, or the file larger than ulimit -f allows?</source>
+        <translation>kann nicht geschrieben werden: ist das Laufwerk voll, oder die Datei größer, als ulimit -f erlaubt?</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -328,6 +328,7 @@ class Numbers(Scenes):
             with self.subTest(command=command):
                 said = shell(f"ulimit -f 8; $T {command}", code=1).stderr
                 self.assertIn("a.", said)
+                self.assertRegex(said, "ulimit -f|File too large|disk full")
                 self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("a.")], [], said)
 
 
