@@ -191,7 +191,7 @@ TEST(Decompress, aSmallRecordingUnpacksToABoundedSize)
 TEST(Decompress, fullPiecesOfEveryMethodAreWhole)
 {
     for (const char* const method : {"lz4", "zstd", "bz2"})
-        for (const std::size_t pieces : {1, 2, 16}) {
+        for (const std::size_t pieces : {1U, 2U, 16U}) {
             const std::string plain(pieces * 65'536, 'x');  // as the buffer
             std::string out;
             EXPECT_TRUE(decompress(method, packed(method, plain), out)) << method << pieces;
