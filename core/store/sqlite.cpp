@@ -312,14 +312,15 @@ void SqliteFile::requireNothingBeside(const std::string& path)
         if (std::filesystem::exists(std::filesystem::symlink_status(beside, none)))
             throw SqliteError(
                 Message(TR_NOOP("core", "%1 is there already and would be taken for its journal: "
-                                        "remove it, or name another file"),
+                                        "name another file"),
                         printable(std::filesystem::path(beside).filename().string())));
     }
 }
 
 void SqliteFile::makeEmpty(const std::string& path)
 {
-    requireNothingBeside(path);
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) requireNothingBeside(path);  // else that says so
     const int made =
         ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (made < 0)

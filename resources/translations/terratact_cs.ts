@@ -6080,8 +6080,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>souborový systém to odmítl: %1</translation>
     </message>
     <message>
-        <source>%1 is there already and would be taken for its journal: remove it, or name another file</source>
-        <translation>%1 již existuje a bylo by považováno za jeho žurnál: odstraňte ho, nebo zadejte jiný soubor</translation>
+        <source>%1 is there already and would be taken for its journal: name another file</source>
+        <translation>%1 již existuje a bylo by považováno za jeho žurnál: zadejte jiný soubor</translation>
     </message>
     <message>
         <source>cannot be written: is the disk full, or the file larger than ulimit -f allows?</source>

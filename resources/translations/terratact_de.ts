@@ -6080,8 +6080,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Dateisystem verweigert es: %1</translation>
     </message>
     <message>
-        <source>%1 is there already and would be taken for its journal: remove it, or name another file</source>
-        <translation>%1 gibt es schon und würde für ihr Journal gehalten: entfernen oder eine andere Datei nennen</translation>
+        <source>%1 is there already and would be taken for its journal: name another file</source>
+        <translation>%1 gibt es schon und würde für ihr Journal gehalten: eine andere Datei nennen</translation>
     </message>
     <message>
         <source>cannot be written: is the disk full, or the file larger than ulimit -f allows?</source>

@@ -179,6 +179,9 @@ TEST_F(Session, existingFileIsLeftAlone)
     ASSERT_FALSE(again);
     EXPECT_NE(again.error().text.find(path), std::string::npos);
     EXPECT_TRUE(SessionReader::open(path));
+    std::filesystem::create_symlink("nowhere", path + "-wal");
+    EXPECT_TRUE(refused(SessionWriter::create(path, someStart()), path, {": is there already"}));
+    std::filesystem::remove(path + "-wal");
 }
 
 TEST_F(Session, rowsFurtherAwayThanReadersTakeAreRefused)
