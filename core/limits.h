@@ -4,7 +4,8 @@
 namespace terratact {
 
 /// Telemetry older than this [s] is stale: no verdict rests on it, and no value is shown as
-/// current.
+/// current. The verdict is withheld: WithholdReason::Stale in core/infer/verdict/verdict.h. The
+/// console mutes the picture: app/pages/terrain_page_show.cpp.
 inline constexpr double kStaleAfter = 0.15;
 
 /// The link is lost after this time [s] without telemetry. The robot's watchdog disarms it after
@@ -13,7 +14,8 @@ inline constexpr double kStaleAfter = 0.15;
 inline constexpr double kLinkLostAfter = 0.25;
 
 /// Approval expiry [s]: a proposed probe waits this long for the operator, and an approval is valid
-/// for less than this.
+/// for less than this. Then the probe counts as refused, and the exploration ends with the estimate
+/// that it has: AtemState::approvalExpired in core/atem/atem_machine.h.
 inline constexpr double kApprovalExpiry = 30.0;
 
 /// Returns true if an approval of this age [s] is valid. One of negative or unknown (NaN) age is not. The gate and the
@@ -23,7 +25,8 @@ constexpr bool isApprovalValid(double age, double expiry)
     return age >= 0.0 && age < expiry;
 }
 
-/// Probe threshold [m]: a bin with a larger standard deviation asks for the arm.  Source: section 4.4 of the paper.
+/// Probe threshold [m]: a bin with a larger standard deviation asks for the arm. offerProbe() asks
+/// (core/atem/probe/probe_policy.h). Source: section 4.4 of the paper.
 inline constexpr double kProbeThreshold = 0.06;
 
 }  // namespace terratact

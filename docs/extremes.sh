@@ -84,7 +84,7 @@ not matter. This needs the same kernels (SSE4, AVX2 or AVX-512) and the same var
 thread, as both programs set it.
 
 **Singular models.** The covariance of the training rows may be singular to working precision. Then a jitter of 1e-10 to 1e-6 of its
-diagonal is added and kept with the process. A model's file has hyper-parameters and rows; the same jitter follows from them. An estimate
+diagonal is added and kept with the process. A model's file has hyperparameters and rows; the same jitter follows from them. An estimate
 that used it has a warning, and \`terratact train\` prints one when it ends. A model that this does not mend is refused. The relative error
 of an accepted model is 1e-14 over the reciprocal condition number, at most 1e-2. For a variance, it is relative to that of the prior. For a
 mean, it is relative to the largest sum of its terms. That sum is about the largest output where outputs are as smooth as the length scales

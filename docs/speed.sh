@@ -61,9 +61,9 @@ the cost of summarising.  AVX2 against AVX-512 is bounded by the ratio of their 
 
 ## Training
 
-By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyper-parameters of the paper's 22 processes, on two
+By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyperparameters of the paper's 22 processes, on two
 cores.  *growth*: one evaluation of likelihood and gradient, and the largest memory of the program.  The memory is in doubles and in
-multiples of the rows' square.  *sparse*: one bin's process.  Hyper-parameters are searched for on some rows or on all.  Then
+multiples of the rows' square.  *sparse*: one bin's process.  Hyperparameters are searched for on some rows or on all.  Then
 the process is made of all rows (\`through\` as many) or through inducing rows, and predicts 5000 unseen scenes.  \`terratact
 train\` searches on all rows, with up to 30 such evaluations; with \`--inducing\`, on 1400.  *sparse-bins*: the error through so many rows as a share of that through all, of every bin.
 

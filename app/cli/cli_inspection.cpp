@@ -79,7 +79,7 @@ void addModelShow(CLI::App& model, Job& job)
         std::string model;
         bool csv = false;
     };
-    auto* c = model.add_subcommand("show", "Every hyper-parameter, and how the model was made");
+    auto* c = model.add_subcommand("show", "Every hyperparameter, and how the model was made");
     const auto o = std::make_shared<Options>();
     addInput(*c, "model", o->model, "Model (*.ttm)")->required();
     c->add_flag("--csv", o->csv, "Everything a prediction needs, as CSV");

@@ -105,7 +105,7 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
         ->excludes(generated);
     addNumber(*c, "--inducing", o->inducing,
               "Conditionals predict through at most so many of their scenes, and their "
-              "hyper-parameters come from 1400 (default 0: from all, through all)")
+              "hyperparameters come from 1400 (default 0: from all, through all)")
         ->check(CLI::Range(0, 20'000));
     for (CLI::Option* const ofDrives : {drives, trackDrives})
         for (const char* other : {"--scanner-sd", "--conditional-rows", "--bins", "--inducing"})

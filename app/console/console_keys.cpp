@@ -93,7 +93,7 @@ void holdToMove(HeldButton& button, MainWindow& window, WhyNot whyNot)
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act, Needs needs)
 {
     return [button, needs, act = std::move(act)] {
-        if (button->isVisible() && (button->isEnabled() || needs == Needs::ViewState)) act();
+        if (button->isVisible() && (button->isEnabled() || needs == Needs::Visible)) act();
     };
 }
 
@@ -157,12 +157,12 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("forget the estimate"),
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->forgetResult(); },
-                  Needs::ViewState)});
+                  Needs::Visible)});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
               MainWindow::tr("restore the hidden estimate"),
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->restoreResult(); },
-                  Needs::ViewState)});
+                  Needs::Visible)});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_H)},
               MainWindow::tr("list the estimates of this run"),
               [&window] { window.history().open(); }});

@@ -21,7 +21,7 @@ void holdToMove(HeldButton& button, MainWindow& window,
                 std::optional<Message> (Exploration::*whyNot)() const);
 
 /// A control acts only if the button of the same action is visible. Use: and enabled.
-enum class Needs { ViewState, Use };
+enum class Needs { Visible, Use };
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
                              Needs needs = Needs::Use);
 

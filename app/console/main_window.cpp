@@ -311,7 +311,7 @@ void MainWindow::notice(const Message& text, EventSeverity severity, EventPlace 
 void MainWindow::connectWorker()
 {
     // Queued, because the signal is emitted while the estimate's other state is still changing.
-    connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::poll,
+    connect(&exploration_->estimation(), &Estimation::estimateReady, this, &MainWindow::poll,
             Qt::QueuedConnection);
     connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::poll);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,

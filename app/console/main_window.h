@@ -163,6 +163,7 @@ private:
     void logState(const Message& text, EventSeverity severity);
     void connectWorker();
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
+    /// Shows what is new: main_window_tick.cpp. An estimate goes to TerrainPage::showEstimate().
     void poll();
     void lookSoon();  ///< from any thread
     void logStall(double seconds);

@@ -48,7 +48,7 @@ struct Received {
 Received received(const std::optional<Received>& before, Sample sample, const Arrival& arrived);
 
 /// Reads a source in its own thread into a mailbox that keeps only the newest sample. A client polls at its own rate
-/// and is never flooded. The source must outlive the Acquisition.
+/// and is never flooded. The console's client is MainWindow::poll(). The source must outlive the Acquisition.
 class Acquisition {
 public:
     /// received: called by that thread after each new latest(); empty: no callback. robot: its sensors are checked at

@@ -40,7 +40,7 @@ struct BitRate {
     bool nominal = false;                   ///< assumed: the bus itself has no bit rate
 };
 
-/// A robot on a CAN bus. The thread that calls next() receives, sends heartbeats and repeats drive commands. If the
+/// A robot on a CAN bus. The thread that calls next(), that of Acquisition (acquisition.h), receives, sends heartbeats and repeats drive commands. If the
 /// console's threads stall, the heartbeats end and the robot's watchdog halts it.
 class CanSource final : public MeasurementSource {
 public:

@@ -30,7 +30,7 @@ std::vector<EstimateError> errorsOf(const TwoTrackEstimate& estimate, const Capt
 EstimateHistory::EstimateHistory(const Exploration& exploration, QObject* parent)
     : QObject(parent), exploration_(exploration)
 {
-    connect(&exploration.estimation(), &Estimation::stands, this, [this](bool second) {
+    connect(&exploration.estimation(), &Estimation::estimateReady, this, [this](bool second) {
         if (!second) addPresent();
     });
     connect(&exploration, &Exploration::decided, this, [this](const char* what) {

@@ -277,7 +277,7 @@ bool Estimation::restore()
     memory_ = std::move(aside.memory);
     strip_.enter(*estimate_, estimateJob_, readings_);
     whyNone_ = {};
-    emit stands(false);
+    emit estimateReady(false);
     adviseAnew();  // if the limit has changed meanwhile
     return true;
 }
@@ -342,7 +342,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     if (job == secondJob_) {
         secondJob_ = 0;
         second_ = estimate;
-        emit stands(true);
+        emit estimateReady(true);
     }
     if (job != job_) return;
     job_ = 0;
@@ -356,7 +356,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     advice_ = {};
     estimateJob_ = job;
     strip_.enter(estimate, job, readings_);
-    emit stands(false);
+    emit estimateReady(false);
     announce(estimate);
     unadvised_ = true;
     // Advice follows, unless the step limit has changed; then another probe may be the best one.

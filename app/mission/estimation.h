@@ -144,7 +144,7 @@ signals:
     void happened(const terratact::Message& text, terratact::EventSeverity severity);
     void modelChanged();  ///< an existing estimate still belongs to the previous model
     void captured(const terratact::CapturedScene& scene);
-    void stands(bool second);  ///< a new estimate is ready; second: of the second method
+    void estimateReady(bool second);  ///< a new estimate is ready; second: of the second method
     void offered();       ///< the first advice for estimate() with the present step limit is ready
     void failed();        ///< the estimate of scene() failed
     void advised();       ///< new advice for another step limit is ready

@@ -87,7 +87,7 @@ signals:
                      const QString& content, bool hasTwoTracks, const terratact::TrailInUse& trail);
     void modelFailed(const terratact::Message& why);  ///< there is no model
     void modelKept(const terratact::Message& why);    ///< the previous model stays
-    /// seconds: computation time.
+    /// seconds: computation time. Estimation::accept() keeps it; MainWindow::poll() then shows it.
     void estimated(int job, const terratact::TwoTrackEstimate& estimate, double seconds);
     void failed(int job, const terratact::Message& why);
     /// Probe advice for that job's estimate, with its expected gain. Not emitted if a newer request, cancel() or load()

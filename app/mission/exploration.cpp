@@ -11,8 +11,6 @@
 namespace terratact {
 namespace {
 
-constexpr double kRepeatStop = 0.2;  // [s]
-constexpr double kReleaseFor = 5.0;  // [s] a release of STOP is retried
 constexpr double kEndsWithin = 1.0;  // [s] a robot needs to end an exploration
 
 }  // namespace
@@ -73,40 +71,6 @@ void Exploration::driveOn()
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
-void Exploration::sendStop()
-{
-    stopSent_ = now_;
-    commandedAt_ = latest_ ? latest_->count : 0;
-    const Status sent = source_.send(StopCommand{});
-    const Message trouble = sent ? Message() : troubleOf(link_, sent.error().message);
-    if (!trouble.empty() && trouble != stopTrouble_)
-        emit stateChanged(Message(TR_NOOP("terratact::Exploration", "STOP not sent: %1"), trouble),
-                          EventSeverity::Bad);
-    stopTrouble_ = trouble;
-}
-
-void Exploration::confirmStop(bool latched)
-{
-    if (!linkAlive_ || latched == stopConfirmed_ || (releasing_ && !latched)) return;
-    stopConfirmed_ = latched;
-    if (latched)
-        emit happened(TR_NOOP("terratact::Exploration", "the robot reports stopped"),
-                      EventSeverity::Note);
-    else
-        stopBegan_ = now_;  // the request starts again
-}
-
-StopViewState Exploration::stopViewState() const
-{
-    using State = StopViewState::State;
-    if (following()) return {.state = State::NoEffect, .why = translated(following_->why())};
-    if (state_.phase != AtemPhase::Stopped && !pending_.stop) return {};
-    if (stopConfirmed_) return {.state = State::Confirmed};
-    return {.state = stopTrouble_.empty() ? State::Sent : State::NotSent,
-            .seconds = now_ - stopBegan_,
-            .why = translated(stopTrouble_)};
-}
-
 bool Exploration::command(const Command& command)
 {
     commandedAt_ = latest_ ? latest_->count : 0;
@@ -134,25 +98,6 @@ bool Exploration::hasPressed() const
     // A press that began after the command is its answer at the first sample that shows it.
     return latest_->sample.measurement.activity == RobotActivity::Pressed
         && (answered() || (latest_->press && latest_->press->count > commandedAt_));
-}
-
-void Exploration::repeatStop(AtemInput& in)
-{
-    const bool latched = latest_ && latest_->sample.measurement.activity == RobotActivity::Stopped;
-    if (latched && state_.phase != AtemPhase::Stopped) in.stop = true;
-    confirmStop(latched);
-    if (state_.phase != AtemPhase::Stopped) return;
-    if (answered() && releasing_ && !latched) in.stopReleased = true;
-    if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
-        releasing_ = false;  // the operator's request has expired
-        emit happened(
-            TR_NOOP("terratact::Exploration", "the robot did not release STOP: hold R again"),
-            EventSeverity::Bad);
-    }
-    if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
-    if (!releasing_) return sendStop();
-    stopSent_ = now_;
-    command(ReleaseStopCommand{});
 }
 
 void Exploration::poll(AtemInput& in)

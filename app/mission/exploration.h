@@ -88,7 +88,8 @@ public:
     void setDriveSpeed(std::optional<double> speed);
     void drive(int direction);  ///< starts as soon as the robot has ended its exploration
     void halt();                ///< ends drive(); does nothing otherwise
-    /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that.
+    /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that. The path
+    /// from the key to the frame stands in exploration_stop.cpp.
     void stop();
     void stopFrom(const Message& where);  ///< the same, with a text about the origin of the press
     void releaseStop();
@@ -130,6 +131,7 @@ public:
     /// Returns the first unmet precondition of driving; empty: driving is allowed.
     std::optional<Message> whyNotDriving() const { return firstMissing(toDrive()); }
     QList<Precondition> preconditions() const;  ///< preconditions of exploring
+    /// Preconditions of driving: STOP is released, nothing is explored, telemetry, armed, the arm is not out.
     QList<Precondition> toDrive() const;
     QList<Precondition> toFeelForward() const;
     /// Returns the first unmet or doubtful precondition of feelForward(); empty: it is allowed.
@@ -147,8 +149,9 @@ signals:
     void stateChanged(const terratact::Message& text, terratact::EventSeverity severity);
     void stoppedNothing(const terratact::Message& why);  ///< stop() had no effect
     // Signals for the session's record.
-    void proposed();                                                 ///< a probe was proposed
-    void decided(const char* what, const terratact::Message& text);  ///< a decision of the operator
+    void proposed();  ///< a probe was proposed
+    /// A decision of the operator; SessionEventLogger records it.
+    void decided(const char* what, const terratact::Message& text);
 
 private:
     void addAdvice();

@@ -153,41 +153,6 @@ void Exploration::halt()
     command(HaltCommand{});
 }
 
-void Exploration::stop()
-{
-    stopFrom({});
-}
-
-void Exploration::stopFrom(const Message& where)
-{
-    if (following()) {
-        emit stoppedNothing(following_->why());
-        return;  // nothing is stopped, so the display must not show a stop
-    }
-    emit decided("stop", where);
-    if (stopViewState().state != StopViewState::State::Sent
-        && stopViewState().state != StopViewState::State::NotSent)
-        stopBegan_ = now_;
-    // A repeated press keeps an existing confirmation.
-    stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
-    sendStop();
-    pending_.stop = true;
-    releasing_ = false;
-    driving_ = false;
-    driveWanted_.reset();
-}
-
-void Exploration::releaseStop()
-{
-    if (state_.phase != AtemPhase::Stopped || following()) return;
-    emit decided("release stop", {});
-    releasing_ = true;
-    releaseBegan_ = stopSent_ = now_;
-    command(ReleaseStopCommand{});
-    emit happened(TR_NOOP("terratact::Exploration", "STOP released by the operator"),
-                  EventSeverity::Warning);
-}
-
 void Exploration::setSettings(const Settings& settings)
 {
     const std::uint64_t seed = options_.settings.seed;

@@ -59,7 +59,7 @@ void SessionEventLogger::connectTo(Exploration& exploration)
                                             .sideTruth = scene.sideTruth,
                                             .memory = scene.memory.history});
     });
-    connect(estimation, &Estimation::stands, this, &SessionEventLogger::logEstimate);
+    connect(estimation, &Estimation::estimateReady, this, &SessionEventLogger::logEstimate);
     connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::logProposal);
     connect(&exploration, &Exploration::decided, this, &SessionEventLogger::decision);
     connect(estimation, &Estimation::telemetryGap, this,

@@ -69,7 +69,8 @@ struct TerrainViewState {
     bool ended = false;  ///< no more telemetry will arrive
 
     const Measurement* measurement = nullptr;  ///< the newest measurement
-    double age = 0.0;                          ///< [s] age of the measurement
+    /// [s] age of the measurement. Above kStaleAfter the picture is muted, and numbers read "--".
+    double age = 0.0;
     std::optional<RobotReadout::Ages> ages{};  ///< ages of its values; empty: all have `age`
     Attitude attitude{};      ///< tip-over assessment of the measurement with the current limits
     bool numbersDue = true;   ///< numbers are updated, not only the drawing

@@ -11,7 +11,8 @@ namespace terratact {
 /// Throws std::filesystem::filesystem_error without /proc.
 std::string resourcePath(const std::string& name);
 
-/// Returns the path of the shipped model, default.ttm, which holds two tracks and one plane.
+/// Returns the path of the shipped model, default.ttm, which holds two tracks and one plane. Without it
+/// the console estimates nothing and says so in an alarm; the command line ends with readModel()'s error.
 std::string shippedModelPath();
 
 /// Returns the path of the shipped networks of the method trail, default.ttn.

@@ -34,7 +34,7 @@ public:
 ///   linear   least squares of each height on [1, s]; sd: √(residual sum of squares / (U − rank))
 ///   nearest  the heights of the row with the least Euclidean distance in s, every feature divided by
 ///            its sd over the rows; sd: root mean square difference of the 20 nearest rows
-///   gp-s     one exact Gaussian process per bin on s alone, hyper-parameters from at most 400 evenly
+///   gp-s     one exact Gaussian process per bin on s alone, hyperparameters from at most 400 evenly
 ///            chosen rows, prediction from at most 1000; sd: its own
 /// A feature that never varies is ignored. An sd is at least 1 mm. forEach runs the eleven searches
 /// of gp-s. Throws std::invalid_argument for fewer than 30 rows.

@@ -41,9 +41,9 @@ struct Models {
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
 /// Estimates one scene by settings.method. The method Trail uses `history`; without it, or without
-/// models.trail, Local estimates and a warning says so. If s lacks currents or forces that the method uses,
-/// methodWithout() chooses the method (missing_sensors.h). TerrainEstimate::missing and its
-/// warnings then say what is missing.
+/// models.trail, Local estimates and a warning says so. If s lacks currents or forces that the method
+/// uses, methodWithout() chooses the method (core/infer/estimate/missing_sensors.h).
+/// TerrainEstimate::missing and its warnings then say what is missing.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for settings out of range. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,

@@ -6,7 +6,7 @@
 namespace terratact {
 
 /// Estimates both sides of one scene by settings.method, Joint or Local. A scene that is symmetric
-/// within its sensors' noise (isSymmetric) is estimated as one plane, from both sides' means. That
+/// within its sensors' noise (isSymmetric(), core/robot/side_plane.h) is estimated as one plane, from both sides' means. That
 /// is not so if the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise
 /// models.sides estimates it. Any current or force may be missing, of one side or both. The
 /// processes are then trained without it (reduced_clearances.h), and the bands widen. Throws

@@ -91,7 +91,8 @@ struct RobotModel {
     double armReachBegin = 0.0, armReachEnd = 0.0;
     double armReachY = 0.3;  ///< farthest reach of the arm to both sides of the middle [m]
     double armSd = 0.0;      ///< sd of an arm reading [m]
-    /// Sd of a travelled distance as a share of that distance: the tracks slip.
+    /// Sd of a travelled distance as a share of that distance: the tracks slip. core/strip/dead_reckoning.h
+    /// makes it an uncertainty; simulated robots have a slipShare of their own.
     double travelledSdShare = 0.0;
     double pitchSd = 0.0;  ///< [rad] sd of the IMU's pitch
 
@@ -135,7 +136,8 @@ inline constexpr std::size_t kMaxForceArrayNameLength = 6;  ///< [bytes]
 ///   half_width_m = 0.25    # from the middle to the outer edge of a track. Without the table it
 ///                          # follows from [lateral]; it is 0.25 if that is absent too.
 /// Errors name the file, the line, the key and what was expected. Files over 64 KiB, or nested
-/// deeper than 16 levels, are refused before they are parsed.
+/// deeper than 16 levels, are refused before they are parsed. robot_model.cpp has the range of each
+/// key; the messages are those of core/robot/toml_section.h.
 Result<RobotModel> readRobotModel(const std::string& path);
 
 /// Reads the same from a text; errors call it `name`.

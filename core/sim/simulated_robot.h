@@ -50,8 +50,7 @@ public:
     /// Returns one line of telemetry with sensor noise.
     Measurement measure();
 
-    /// Returns the true bin heights at the present pose, the means of both sides.
-    /// Of one side, or the means of both.
+    /// Returns the true bin heights at the present pose: of one side, or the means of both.
     Heights truth(ProbeSide side = ProbeSide::Middle) const { return stance_.truth(side); }
 
     /// Returns the pose in the vertical plane of the middle.

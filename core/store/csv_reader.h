@@ -20,7 +20,8 @@ namespace terratact {
 ///            So are such lines below a header that have another number of fields. A DOS Control-Z ends
 ///            the file.
 ///   numbers  They have a decimal point. If no comma separates fields, a decimal comma is also read, but
-///            not both in one file.
+///            not both in one file. Where a comma separates fields, a decimal comma makes one field too
+///            many, and the error asks about it.
 ///   bytes    UTF-8, with or without a byte order mark.
 /// Errors name file, line and cause.  Holds no more than the text and one record's fields.
 ///

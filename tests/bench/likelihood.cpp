@@ -4,7 +4,7 @@
 //   terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
 //   terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
 //       one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST; then exact
-//       with hyper-parameters searched on all rows: ten minutes for 11200 rows
+//       with hyperparameters searched on all rows: ten minutes for 11200 rows
 // FILE: 64-bit little-endian: U, d (integers); X row by row, y, ℓ, σ_f, σ_n (doubles).
 // All except train use one thread. Results depend on the machine; training.sh runs all of them.
 #include <sys/resource.h>
@@ -198,7 +198,7 @@ double error(const BinModels& models, int bin, int inducing, const std::vector<S
     return std::sqrt((mean - known).squaredNorm() / static_cast<double>(mean.size()));
 }
 
-/// Searches hyper-parameters on `searched` rows (0: all), then predicts through several numbers of rows.
+/// Searches hyperparameters on `searched` rows (0: all), then predicts through several numbers of rows.
 void sparse(ModelData model, int searched, const std::vector<Scene>& scenes, int bin,
             const std::vector<int>& sizes)
 {

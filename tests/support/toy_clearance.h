@@ -27,7 +27,7 @@ inline ClearanceTraining campaignTraining(int runs = 12, std::uint64_t seed = 1)
     return {model.heights, ceilingsOf(absolem(), model.features), model.features, {}};
 }
 
-/// Returns plausible hyper-parameters, not optimised, for every bin and regime with enough rows.
+/// Returns plausible hyperparameters, not optimised, for every bin and regime with enough rows.
 inline ClearanceConditionalData plausibleConditionals(const ClearanceTraining& training)
 {
     ClearanceConditionalData data = prepareClearanceConditionals(training);

@@ -45,7 +45,7 @@ inline void trainToyClearances(ModelData& model)
     finishClearance(model, ceilings, robot);
 }
 
-/// Returns a small real model with plausible hyper-parameters, not optimised, so that it is made quickly.
+/// Returns a small real model with plausible hyperparameters, not optimised, so that it is made quickly.
 inline ModelData toyModel(int runs = 8, std::uint64_t seed = 1)
 {
     ModelData model = prepareTraining(someScenes(runs, seed)).model;

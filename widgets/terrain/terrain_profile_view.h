@@ -117,7 +117,7 @@ public:
     QStringList measuredLines() const;
     bool isZoomed() const { return axes_.zoom() != 1.0 || axes_.shift() != 0.0; }
     void inspect(std::optional<int> bin);  ///< shows a bin in detail
-    /// Mutes the drawing, which is `age` [s] old; empty: it is current.
+    /// Mutes the drawing, which is `age` [s] old, and writes that age over it; empty: it is current.
     void setStale(std::optional<double> age);
 
     /// Shows a small widget in the upper left corner of the canvas, beside the bins. Where there is no room beside them,

@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-// Judges of mixes (scene_mixing.h). Each trains a small model by method local: its hyper-parameters are searched on at
+// Judges of mixes (scene_mixing.h). Each trains a small model by method local: its hyperparameters are searched on at
 // most 300 rows. It returns the |errors| [m] on the judged scenes, bins −0.3 … 0.5 m. Throw Cancelled.
 
 /// Judges models of one plane.

@@ -15,7 +15,7 @@ struct TrainingScope {
         Surfaces,  ///< the surfaces of one plane alone, which method local needs
     };
     Parts parts = Parts::All;
-    int surfaceRows = 800;  ///< rows on which hyper-parameters of surfaces are searched
+    int surfaceRows = 800;  ///< rows on which hyperparameters of surfaces are searched
 };
 
 /// Learns the processes of a model whose rows are set; of plan.bins alone, if it names some. The jobs of a stage run in

@@ -28,7 +28,8 @@ struct MeasuredBins {
     std::vector<Message> warnings;
 };
 
-/// Returns the contacts of the flippers (for methods that use forces) and the readings of the arm.
+/// Returns the contacts of the flippers and the readings of the arm. Methods without forces have no
+/// contacts, nor has ContactRule::None. A reading of the arm replaces the contact of its bin.
 /// ceiling: of this pose [m]. A reading more than 3 sd above it is kept and named in `warnings`.
 /// Throws std::invalid_argument unless every reading has a bin 0 … 10, a finite height and a
 /// positive sd.

@@ -30,7 +30,8 @@ Eigen::VectorXd knownFeatures(const Proprioception& s);
 /// Returns the first feature of the set that s lacks; empty if it lacks none.
 std::string_view missingFeature(FeatureSet set, const Proprioception& s);
 
-/// Hyper-parameters of the squared exponential kernel with one length scale per input (ARD):
+/// Hyperparameters of the squared exponential kernel with one length scale per input (ARD). It is the
+/// covariance function of every process; maximiseLikelihood() learns them (core/learn/model/training.h).
 ///   k(x, x') = σ_f² exp(−½ Σ_d (x_d − x'_d)² / ℓ_d²) + σ_n² [same row]; inputs standardised.
 /// Source: Rasmussen & Williams (2006), eq. 5.1, with the ½ written out.
 struct Hyperparameters {

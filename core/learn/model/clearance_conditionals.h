@@ -76,11 +76,11 @@ inline constexpr int kMaxClearanceRows = 1400;
 inline constexpr int kClearanceScenes = 2000;
 ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot);
 
-/// Returns the data of the conditionals from a model's hyper-parameters and those rows.
+/// Returns the data of the conditionals from a model's hyperparameters and those rows.
 ClearanceConditionalData clearanceConditionalData(const ModelData& model,
                                                   const ClearanceTraining& training);
 
-/// Returns the data with standardisation, but without hyper-parameters. Throws
+/// Returns the data with standardisation, but without hyperparameters. Throws
 /// std::invalid_argument if sizes disagree, a height or feature is not finite, or a ceiling is NaN
 /// or −infinity. It also throws for fewer than kMinTrainingRows rows, and if a feature never
 /// varies.

@@ -176,7 +176,7 @@ void removeVariance(Eigen::VectorXd& residuals, const Eigen::VectorXd& variance,
     residuals.array() *= (v / (v + variance.array())).sqrt();
 }
 
-/// Returns weights and leave-one-out residuals with these hyper-parameters.
+/// Returns weights and leave-one-out residuals with these hyperparameters.
 TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
                       const std::vector<int>& places, Eigen::Index kept)
 {

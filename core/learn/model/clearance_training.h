@@ -29,10 +29,10 @@ struct TrainedSurface {
     Eigen::VectorXd residuals;
 };
 
-/// Trains a process: hyper-parameters from at most options.subset rows (log marginal likelihood),
+/// Trains a process: hyperparameters from at most options.subset rows (log marginal likelihood),
 /// weights from all rows. With fewer than kMinTrainingRows rows, it only has mean and sd. They are
 /// of the bin's height (open), or of every covered bin's y (covered). places: place of each
-/// training row (placesOf); empty: one row each. Hyper-parameters come from the first row of each
+/// training row (placesOf); empty: one row each. Hyperparameters come from the first row of each
 /// place, and a residual leaves out every row of its place. kept: the inducing rows are among the
 /// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows.
 /// The heights' sd is noise of its row. The residuals are scaled to the variance that they would
@@ -45,7 +45,7 @@ TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& cei
 void keepRows(SurfaceData& model, Eigen::Index rows);
 
 /// Refits a process for scenes without some features: new weights and residuals with known
-/// hyper-parameters. The values of these features in the training rows have no effect. known:
+/// hyperparameters. The values of these features in the training rows have no effect. known:
 /// without length scales if the process has no weights.
 TrainedSurface refitSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const Hyperparameters& known, AbsentFeatures without,

@@ -36,7 +36,7 @@ struct SurfaceProcess {
 struct ClearanceData {
     Eigen::VectorXd featureMean, featureSd;  ///< for surfaceFeatures(), size f of SurfaceData
     std::array<SurfaceProcess, kBins> open, covered;
-    /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; without
+    /// Hyperparameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; without
     /// length scales if a regime had too few rows.
     std::array<Hyperparameters, kBins> conditionalOpen, conditionalCovered;
     /// Per training row: bit i is set if bin i's ceiling is finite.

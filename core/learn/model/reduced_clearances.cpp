@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kKeptWhole = 800;  ///< a regime with fewer rows keeps all rows
 
-/// Returns the model's hyper-parameters with length scales between these bounds. A feature that the
+/// Returns the model's hyperparameters with length scales between these bounds. A feature that the
 /// missing ones made redundant has a length scale of hundreds, and must have an effect again.
 Hyperparameters withoutNeedless(const Hyperparameters& known)
 {

@@ -20,7 +20,7 @@ namespace terratact {
 inline constexpr int kReducedRows = 4000;
 
 /// Surface processes for scenes without currents or forces, of one plane or of sides. For each set of missing features, the
-/// processes are trained again on the model's own rows without them. Hyper-parameters are the
+/// processes are trained again on the model's own rows without them. Hyperparameters are the
 /// model's, with length scales within 0.5 … 6. Weights, leave-one-out residuals, scale of novelty
 /// and the contacts' sd are computed as in clearance_training.h. Bands widen because the residuals
 /// do.

@@ -25,7 +25,7 @@ struct RowOptions {
     std::uint64_t seed = 1;      ///< seed of that noise
 };
 
-/// Training rows of a model: heights, features and their standardisation; hyper-parameters are
+/// Training rows of a model: heights, features and their standardisation; hyperparameters are
 /// still unset. Scenes that lack a feature or every height are left out, and then exact copies
 /// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, those with
 /// all heights before those with some, then the near copies. The conditionals learn from complete

@@ -36,7 +36,7 @@ SessionSchema sessionSchema(std::int64_t version);
 /// Returns the number of columns of a table in that version.
 int sessionColumns(std::int64_t version, std::string_view table);
 
-/// Tables whose rows make a batch's `rows_hash`, in this order, each in the order of rowid.
+/// Tables whose rows make a batch's `rows_hash` (formula: session_hash.h), in this order, each in the order of rowid.
 inline constexpr std::array<std::string_view, 10> kSessionRowTables{
     "settings", "model",        "scene",    "scene_truth",    "estimate",
     "reading",  "estimate_bin", "proposal", "proposal_offer", "event"};

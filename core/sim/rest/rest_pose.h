@@ -42,7 +42,7 @@ double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, c
 /// `startPitch` with growing contact stiffness. Friction holds x.
 /// Model: a robot at rest minimises its potential energy over terrain that it cannot enter. The
 /// contact forces are the forces of stiff one-sided springs. A held axle that needs more than its
-/// motors' torque gives way (RestPose::rear).
+/// motors' torque gives way (RestPose::front, rear).
 /// Error if there is no rest pose. The robot tips over (|pitch| > 1.2 rad), or a flipper lies on
 /// the robot (beyond 2.5 rad). It may be held there, or pushed there by an overload of its motors.
 Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,

@@ -22,7 +22,7 @@ namespace terratact {
 // characters beside the bytes (-a). Swapped or binary bytes (-S, -i) and colours (-c) are refused.
 
 /// Returns the frame of one line, given without its line end. Errors name what was expected and
-/// where.
+/// where. LogReader decides on a torn last line (core/wire/logs/log_reader.h).
 Result<LoggedFrame> frameFromCandump(std::string_view line);
 
 /// Returns a line of the compact dialect, without its line end. Every version of can-utils and

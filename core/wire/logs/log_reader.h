@@ -21,7 +21,8 @@ namespace terratact {
 /// name. The log may be packed by gzip, begin with a byte order mark, be UTF-16, or be endless (a
 /// pipe). One line and two blocks are held in memory.
 ///
-/// A truncated last line ends the log. Zero bytes and text that they cut are left out. See remarks.
+/// A truncated last line ends the log. Zero bytes and text that they cut are left out. A compact
+/// candump line without line end is read if it holds a frame; its data may be truncated. See remarks.
 class LogReader {
 public:
     static constexpr std::size_t kMaxLineLength = 1000;        ///< bytes

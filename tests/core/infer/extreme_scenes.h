@@ -19,7 +19,7 @@ inline const RobotModel& robot()
     return model;
 }
 
-/// Returns toyModel with hyper-parameters for the conditionals over clearances.
+/// Returns toyModel with hyperparameters for the conditionals over clearances.
 inline ModelData modelFor(int runs, std::uint64_t seed)
 {
     ModelData model = toyModel(runs, seed);

@@ -18,9 +18,8 @@ struct StoredModel {
 std::string contentHash(const ModelData& model);
 
 /// Writes a *.ttm file: one SQLite file (application_id 0x54544D31, user_version 3, or 4 with two
-/// tracks). It holds
-/// feature order, units, standardisation, hyper-parameters, training rows, the training command and
-/// the content's hash. The same model gives the same bytes. The file is written under a temporary
+/// tracks). It holds feature order, units, standardisation, hyperparameters, training rows, the
+/// training command and the content's hash. The same model gives the same bytes. The file is written under a temporary
 /// name and then renamed. Throws std::invalid_argument for a model that readModel would refuse.
 Status writeModel(const std::string& path, const ModelData& model);
 

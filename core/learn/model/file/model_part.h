@@ -20,7 +20,7 @@ struct Portion {
 
 /// Result of one of several runs of a training: the processes of some bins.
 struct ModelPart {
-    /// All rows and standardisations, but hyper-parameters, surfaces and residuals of the portion's
+    /// All rows and standardisations, but hyperparameters, surfaces and residuals of the portion's
     /// bins only. ClearanceData lacks novelty scale and contacts, which need all bins. command: of
     /// this run.
     ModelData model;
