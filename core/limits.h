@@ -25,6 +25,13 @@ constexpr bool isApprovalValid(double age, double expiry)
     return age >= 0.0 && age < expiry;
 }
 
+/// Longest silence of telemetry [s] during which the robot counts as observed. It may have moved in
+/// a longer one.
+inline constexpr double kMaxSilence = 1.0;
+
+/// Range of the operator's step limit [m]. Its default is kStepLimit (core/terrain/step.h).
+inline constexpr double kLowestStepLimit = 0.02, kHighestStepLimit = 0.60;
+
 /// Probe threshold [m]: a bin with a larger standard deviation asks for the arm. offerProbe() asks
 /// (core/atem/probe/probe_policy.h). Source: section 4.4 of the paper.
 inline constexpr double kProbeThreshold = 0.06;

@@ -10,9 +10,13 @@
 namespace terratact {
 namespace {
 
-constexpr const char* kDisturbWords =
-    "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|heavy-robot|"
-    "friction-free";
+std::string disturbanceNames()
+{
+    std::string names;
+    for (const Disturbance known : kDisturbances)
+        names.append(names.empty() ? "" : "|").append(name(known));
+    return names;
+}
 
 std::optional<std::variant<Disturbance, SensorFault>> disturbedFrom(const std::string& text)
 {
@@ -111,8 +115,8 @@ void addSimulate(CLI::App& app, Job& job)
                     "with y_m");
     addSimulatedMap(*c, o->map)->excludes(drives);
     const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
-    addParsed(*c, "--disturb", *disturbed, disturbedFrom, kDisturbWords,
-              fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
+    addParsed(*c, "--disturb", *disturbed, disturbedFrom, disturbanceNames(),
+              fmt::format("is none of {}, nor {}", disturbanceNames(), sensorFaultSyntax()),
               "What the estimator does not know of (default none): of the world, or of sensors "
               "that lie (stuck:pitch, late:front; FAULTS in the manual page)")
         ->excludes(tracks)

@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// Reads the operator's panel in its own thread. This thread itself sends STOP when the STOP circuit opens, independent
-/// of window and estimator. Clients poll everything else.
+/// Reads the operator's panel in its own thread. This thread itself sends STOP when the STOP circuit opens, or the
+/// panel is lost, independent of window and estimator. Clients poll everything else.
 class PanelReader {
 public:
     /// The source must outlive the reader.

@@ -19,7 +19,7 @@ struct SceneMemory {
 
 /// The memory of the way (core/trail/trail_record.h), fed by telemetry. It begins anew after a
 /// break of the way, and when the operator clears the ground. It also does so while a sensor that
-/// carries it is suspected.
+/// carries it is suspected. A break is a silence, a jump of the odometry or a turn (core/strip/strip_way.h).
 class WayMemory {
 public:
     explicit WayMemory(const RobotModel& robot) : record_(robot) {}

@@ -41,7 +41,8 @@ struct SessionRescue {
 };
 
 /// Closes a session whose program died. If it is damaged, lacks its journal or is read-only, its undamaged rows are
-/// copied to a new session. The old file stays unchanged. out: the new session; empty: NAME-recovered.tts beside it.
+/// copied to a new session; what SQLite cannot read is salvaged page by page (core/log/session_salvage.h). The old file
+/// stays unchanged. out: the new session; empty: NAME-recovered.tts beside it.
 /// Errors: the session is in use, is a symbolic link, or contains no valid part; `out` exists or cannot be made.
 Result<SessionRescue> rescueSession(const std::string& path, const std::string& out);
 

@@ -21,7 +21,7 @@ std::string shippedTrailPath();
 /// Returns the path of the networks that belong to a model: the same with the ending .ttn.
 std::string trailPathBeside(const std::string& modelPath);
 
-/// Returns the paths of all shipped models: the former, and one_plane.ttm, the model of recordings from before it.
+/// Returns the paths of all shipped models: default.ttm, and one_plane.ttm, the model of recordings from before it.
 std::vector<std::string> shippedModelPaths();
 
 }  // namespace terratact

@@ -11,7 +11,7 @@
 namespace terratact {
 
 // Operator panel of buttons and lamps. Every contact has a safe side: open, which acts at once.
-// Closed counts only after the contact was undisturbed for a while. STOP is normally closed:
+// Closed is debounced: it counts after the contact was undisturbed for PanelLimits::settle. STOP is normally closed:
 // pressing it, a broken wire and an unplugged panel all read as open.
 
 enum class PanelContact : std::uint8_t { Atem, Approve, Refuse, Stop };

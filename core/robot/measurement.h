@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/message.h"
+#include "core/limits.h"
 #include "core/robot/probe_side.h"
 
 namespace terratact {
@@ -98,10 +99,6 @@ struct Measurement {
     std::optional<double> differential{};  ///< [rad] left track nose up; empty: locked
     bool operator==(const Measurement&) const = default;
 };
-
-/// Longest silence of telemetry [s] during which the robot counts as observed. It may have moved in
-/// a longer one.
-inline constexpr double kMaxSilence = 1.0;
 
 /// Sets the forces of each side, and `force` and `missing` to their means. The mean of an element with
 /// one known side is that side. An element without a known side is missing.

@@ -42,11 +42,11 @@ struct SensorFault {
 /// "offset:front:0.17", "late:all:0.5".
 ///   KIND     stuck, stuck-at-scene, zero, offset, drift, spikes, scatter, flipped, swapped,
 ///            swapped-axles, late, out-of-range, full-scale
-///   SENSORS  pitch, roll, front, rear, front-left …, front-current, rear-current, front-left-current …,
+///   SENSORS  pitch, roll, attitude, front, rear, front-left …, front-current, rear-current, front-left-current …,
 ///            currents, angles, forces, force-1 … force-6, odometry, all; forces of one side:
 ///            left-forces, right-force-1, …
 /// Default AMOUNT: 10° for angles and attitude, 1 A, 3 N, 1 m; a tenth of that for a drift; 0.5 s
-/// for Late. Empty if the text is none of these.
+/// for Late. Empty if the text is none of these. `simulate --disturb` and `robot --fault` take such texts.
 std::optional<SensorFault> sensorFaultFrom(std::string_view text);
 
 /// Returns the explanation of such a text for --help and errors.

@@ -43,7 +43,8 @@ public:
 
     StripWay(const RobotModel& robot, const WayLimits& limits);
 
-    /// Adds the next line of telemetry.
+    /// Adds the next line of telemetry. A silence, a jump of the reported way, a turn or a line without
+    /// odometry ends the segment.
     void add(const Measurement& line);
     /// Begins a new segment.
     void end(SectionStart why);

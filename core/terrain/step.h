@@ -9,7 +9,8 @@
 namespace terratact {
 
 /// Step limit [m]: a larger difference between a bin and the next one, or the one after, is a step.
-/// A tracked robot takes lower steps easily.
+/// A tracked robot takes lower steps easily. This is the default of the operator's own limit
+/// (Preferences::obstacleLimit).
 inline constexpr double kStepLimit = 0.10;
 
 /// Number of bins from the foot of a step to its top. An edge within a bin gives it an intermediate

@@ -46,7 +46,8 @@ inline constexpr std::size_t kFrameKinds = 30;
 inline constexpr std::size_t kMaxSignals = 7;  ///< signals of one frame
 
 /// A signal behind the E2E header: `length` bits from bit `start` on, little-endian. Bit 0 is the
-/// lowest bit of byte 0. Its value is raw · scale, in SI units.
+/// lowest bit of byte 0. Its value is raw · scale, in SI units. Forces travel as voltages, which
+/// elementForces() converts (core/wire/telemetry.h).
 struct SignalLayout {
     std::string_view name;
     int start = 0;

@@ -21,7 +21,7 @@ struct ProvenanceMark {
     QwtSymbol::Style shape;
     QColor line;
     int size = 0;  ///< [px] at 100 %
-    QPen bar;      ///< pen as returned by barPattern()
+    QPen bar;      ///< with the pattern of barPattern()
 };
 ProvenanceMark markOf(Provenance provenance);  ///< Returns the mark in the current theme.
 

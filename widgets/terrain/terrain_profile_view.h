@@ -52,7 +52,8 @@ struct ArmTip {
     bool operator==(const ArmTip&) const = default;
 };
 
-/// Draws a TerrainEstimate: mean line, bars between the 0.1 and 0.9 quantiles, and ceilings. The robot's side view has
+/// Draws a TerrainEstimate: mean line, bars between the 0.1 and 0.9 quantiles, and ceilings. A bin ahead that is not
+/// felt has no bar, because it would look measured. The robot's side view has
 /// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is. Bins differ
 /// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
 /// triangle, sampled = circle, prior only = open diamond in an amber zone. A mark is filled where the bin was felt, its

@@ -20,9 +20,9 @@ inline constexpr double kWholeMemory = 0.85;
 struct DriveScores {
     std::string name;                 ///< "local", "trail"
     double median = 0.0, mean = 0.0;  ///< |error| over the bins −0.3 … 0.5 m [m]
-    double in80 = 0.0;                ///< share of truths within q10 … q90, the same bins
+    double in80 = 0.0;                ///< share of known truths within q10 … q90, the same bins
     std::array<double, kBins> medians{}, means{}, cover{};  ///< by bin
-    double cpu = 0.0;  ///< median processor time of an estimate [s]
+    double cpu = 0.0;  ///< median processor time of an estimate, of all scenes [s]
 };
 
 struct DriveFindings {
@@ -33,8 +33,8 @@ struct DriveFindings {
     std::vector<DriveScores> whole, begin;  ///< by method, of both kinds of scenes
 };
 
-/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method. Each
-/// has the memory of its drive. Compares the estimates with the truth. On all processors. notice:
+/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method. Trail
+/// alone has the memory of its drive. Compares the estimates with the truth. On all processors. notice:
 /// receives sentences about the file. Errors name the file and the line.
 Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBundle& bundle,
                                      const std::vector<Method>& methods, const Settings& settings,

@@ -13,7 +13,9 @@
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/quality_preset.h"
+#include "core/limits.h"
 #include "core/robot/attitude.h"
+#include "core/terrain/step.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {
@@ -28,9 +30,9 @@ struct Preferences {
     QString language;     ///< "en", "cs" or "de"; empty: the system's
     Units units;          ///< of shown lengths and angles
     Layout layout = Layout::Probe;
-    bool sound = true;              ///< alarms make sounds
-    int contactSound = 50;          ///< [%] level of the ticks of contacts; 0: off
-    double obstacleLimit = 0.10;    ///< [m] obstacle height (hasStep())
+    bool sound = true;                  ///< alarms make sounds
+    int contactSound = 50;              ///< [%] level of the ticks of contacts; 0: off
+    double obstacleLimit = kStepLimit;  ///< [m] obstacle height (hasStep())
     Method method = Method::Trail;  ///< Local estimates where the way before a scene is not known
     QualityPreset preset = QualityPreset::Balanced;
     int estimateSeconds = 0;                            ///< [s] time limit of sampling; 0: no limit
@@ -60,13 +62,13 @@ struct PreferenceRange {
     double least, most;
 };
 inline constexpr double kPercent = 0.01;
-inline constexpr PreferenceRange kObstacleRange{0.02, 0.60};                      ///< [m]
-inline constexpr PreferenceRange kForceRange{0.1, 50.0};                          ///< [N]
-inline constexpr PreferenceRange kProbeAboveRange{0.01, 0.50};                    ///< [m]
-inline constexpr PreferenceRange kHazardRateRange{0.001, 0.5};                    ///< per bin
-inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};       ///< [rad]
-inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
-inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};       ///< [rad]
+inline constexpr PreferenceRange kObstacleRange{kLowestStepLimit, kHighestStepLimit};  ///< [m]
+inline constexpr PreferenceRange kForceRange{0.1, 50.0};                               ///< [N]
+inline constexpr PreferenceRange kProbeAboveRange{0.01, 0.50};                         ///< [m]
+inline constexpr PreferenceRange kHazardRateRange{0.001, 0.5};                         ///< per bin
+inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};            ///< [rad]
+inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};       ///< [rad]
+inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};            ///< [rad]
 inline constexpr PreferenceRange kDeadZoneRange{kSmallestDeadZone, kLargestDeadZone};
 inline constexpr PreferenceRange kPadSpeedRange{kSlowestPad, kFastestPad};  ///< [m/s]
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;                ///< [%]

@@ -25,8 +25,9 @@ std::string_view name(ProbePolicy policy);
 
 /// Reason why no probe is offered.
 enum class NoProbe : std::uint8_t {
-    None,     ///< a probe is offered
-    Certain,  ///< no bin in reach has an sd above the probe threshold Settings::probeAbove
+    None,  ///< a probe is offered
+    /// No bin in reach (RobotModel::armReaches()) has an sd above the probe threshold Settings::probeAbove.
+    Certain,
     Decided,  ///< the verdict is certain without the arm
     NoGain    ///< no bin in reach has an expected gain for the verdict
 };

@@ -15,7 +15,7 @@ std::optional<double> LogClock::add(double time, const std::string& interface)
     }
     const auto known = lastOf_.find(interface);
     const double back = last_ - time;
-    const bool isSet = std::abs(back) > kMaxSilence || back > kDisorder
+    const bool isSet = std::abs(back) > kMaxJumpForward || back > kDisorder
                     || (known != lastOf_.end() && known->second - time > kJitter);
     if (time <= last_) ++notLater_;
     std::optional<double> step;

@@ -8,14 +8,14 @@
 namespace terratact {
 
 /// Continuous clock from the times of a log. They jump where the recording machine's clock was set:
-/// back, or forward by more than kMaxSilence. A machine without a battery clock starts in 1970.
+/// back, or forward by more than kMaxJumpForward. A machine without a battery clock starts in 1970.
 /// Frames of different interfaces may come up to kDisorder out of order, frames of one interface up
 /// to kJitter.
 class LogClock {
 public:
-    static constexpr double kMaxSilence = 3660.0 * 86'400.0;  ///< [s]
-    static constexpr double kDisorder = 0.1, kJitter = 1e-3;  ///< [s]
-    static constexpr std::size_t kMaxInterfaces = 64;         ///< interfaces whose order is watched
+    static constexpr double kMaxJumpForward = 3660.0 * 86'400.0;  ///< [s]
+    static constexpr double kDisorder = 0.1, kJitter = 1e-3;      ///< [s]
+    static constexpr std::size_t kMaxInterfaces = 64;  ///< interfaces whose order is watched
 
     /// Adds the next frame's time [s]. Returns the jump, if there is one: how far it lies before
     /// the last time, negative for a jump forward.

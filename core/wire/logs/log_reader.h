@@ -49,7 +49,7 @@ public:
     /// (LogClock) [s].
     double elapsed() const { return clock_.elapsed(); }
     /// Returns how far the last frame's time lies before the time of the frame before it [s]. It is
-    /// negative for a jump forward of more than LogClock::kMaxSilence. Empty: no jump.
+    /// negative for a jump forward of more than LogClock::kMaxJumpForward. Empty: no jump.
     const std::optional<double>& stepBack() const { return step_; }
     std::uint64_t stepsBack() const { return steps_; }  ///< number of frames with a stepBack()
     bool isTorn() const { return isTorn_; }

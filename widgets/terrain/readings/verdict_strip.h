@@ -3,6 +3,7 @@
 #include <QFrame>
 
 #include "core/infer/verdict/two_track_verdict.h"
+#include "core/limits.h"
 
 class QBoxLayout;
 class QLabel;
@@ -41,7 +42,8 @@ public:
     QPushButton* lowerButton() const { return lower_; }
     QPushButton* raiseButton() const { return raise_; }
 
-    static constexpr double kMinLimit = 0.02, kGreatestLimit = 0.60, kLimitStep = 0.01;  ///< [m]
+    static constexpr double kMinLimit = kLowestStepLimit, kGreatestLimit = kHighestStepLimit,
+                            kLimitStep = 0.01;  ///< [m]
 
 signals:
     void limitChosen(double metres);

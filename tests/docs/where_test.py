@@ -1,0 +1,71 @@
+"""What docs/development.md and the READMEs of the rooms name is there, and every room is named by the one around it."""
+
+import os
+import pathlib
+import re
+import unittest
+
+SOURCE = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"])
+ROOMS = ("app", "core", "drivers", "widgets")
+FILE = re.compile(r"`((?:[\w.-]+/)*[\w.-]+\.(?:h|cpp))`")
+NAME = re.compile(r"\(((?:`[\w:]+`(?:, )?)+)\)")
+
+
+def table_rows():
+    text = (SOURCE / "docs/development.md").read_text()
+    section = text.split("## Where things are")[1].split("\n## ")[0]
+    return [line for line in section.splitlines() if line.startswith("| ") and not line.startswith(("| question", "| ---"))]
+
+
+def files_of(row):
+    """The files of a row. A file without a folder stands beside the one before it."""
+    folder = SOURCE
+    for name in FILE.findall(row):
+        path = SOURCE / name if "/" in name else folder / name
+        folder = path.parent
+        yield path
+
+
+class WhereThingsAre(unittest.TestCase):
+    def test_every_file_of_the_table_is_there(self):
+        rows = table_rows()
+        self.assertGreater(len(rows), 50)
+        missing = [(row, str(path)) for row in rows for path in files_of(row) if not path.is_file()]
+        self.assertEqual(missing, [])
+
+    def test_every_name_of_the_table_is_in_a_file_of_its_row(self):
+        lost = []
+        for row in table_rows():
+            texts = [path.read_text() for path in files_of(row) if path.is_file()]
+            for names in NAME.findall(row):
+                for name in re.findall(r"`([\w:]+)`", names):
+                    if not any(re.search(rf"\b{name.split('::')[-1]}\b", text) for text in texts):
+                        lost.append((row, name))
+        self.assertEqual(lost, [])
+
+
+class Rooms(unittest.TestCase):
+    def readmes(self):
+        return [path for room in ROOMS for path in sorted((SOURCE / room).rglob("README.md"))]
+
+    def test_every_file_that_a_readme_names_is_there(self):
+        missing = []
+        for readme in self.readmes():
+            for name in FILE.findall(readme.read_text()):
+                pattern = name.replace("NAME", "*")  # one for each page, text, subcommand
+                if not any(readme.parent.glob(pattern)) and not (SOURCE / name).is_file():
+                    missing.append((str(readme.relative_to(SOURCE)), name))
+        self.assertEqual(missing, [])
+
+    def test_a_readme_names_every_room_inside(self):
+        unnamed = []
+        for readme in self.readmes():
+            text = readme.read_text()
+            for inner in readme.parent.glob("*/README.md"):
+                if f"`{inner.parent.name}/`" not in text:
+                    unnamed.append(str(inner.relative_to(SOURCE)))
+        self.assertEqual(unnamed, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
