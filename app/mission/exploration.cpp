@@ -75,11 +75,18 @@ bool Exploration::command(const Command& command)
 {
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
-    if (!sent)
-        emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"),
-                              troubleOf(link_, sent.error().message)),
+    if (!sent) {
+        notSent_ = troubleOf(link_, sent.error().message);
+        emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"), notSent_),
                       EventSeverity::Bad);
+    }
     return static_cast<bool>(sent);
+}
+
+/// Sends the command that the present phase waits for.
+void Exploration::ask(const Command& wanted)
+{
+    pending_.notSent = !command(wanted);
 }
 
 bool Exploration::armed() const
@@ -239,11 +246,11 @@ void Exploration::enter(const AtemState& before)
         if (!before.loops)
             emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
                           EventSeverity::Note);
-        command(BeginAtemCommand{});
+        ask(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the front flippers press down"));
-        command(PressCommand{.torque = options_.pressTorque});
+        ask(PressCommand{.torque = options_.pressTorque});
         break;
     case AtemPhase::Estimating:
         forget(TR_NOOP("terratact::Exploration", "Estimating …"));
@@ -283,7 +290,7 @@ void Exploration::probe()
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
     if (link_) link_->approve(probing_);
-    command(probing_);
+    ask(probing_);
 }
 
 void Exploration::present(bool unprobed)
@@ -355,6 +362,7 @@ Message Exploration::failureWords() const
     const SourceText what = describe(state_.failure);
     if (state_.failure == AtemFailure::Disarmed && disarmedBy_ != DisarmCause::None)
         return Message::joined(what, describe(disarmedBy_));
+    if (state_.failure == AtemFailure::NotSent) return Message::joined(what, notSent_);
     const bool refused = state_.failure == AtemFailure::PressRefused
                       || state_.failure == AtemFailure::ProbeRefused
                       || state_.failure == AtemFailure::AdvanceRefused;

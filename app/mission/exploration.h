@@ -193,6 +193,7 @@ private:
     void driveOn();
     void watchDrive();
     bool command(const Command& command);  ///< returns false, and reports it, if it was not sent
+    void ask(const Command& wanted);
     bool answered() const;    ///< the newest sample was measured after the last command
     bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
@@ -240,6 +241,7 @@ private:
     /// The robot has confirmed STOP; missing telemetry does not revoke it.
     bool stopConfirmed_ = false;
     Message stopTrouble_;  ///< reason that the newest STOP was not sent
+    Message notSent_;      ///< reason that the last unsent command was not sent
 
     double approvedAt_ = 0.0;          ///< [s]
     std::optional<double> pressTook_;  ///< [s] duration of the last press in this run

@@ -166,6 +166,7 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
                                         : nextState(withoutLoop(now, LoopEnd::LetGo), in, limits);
     if (exploring(now.phase) && !in.linkAlive) return tick.fail(AtemFailure::LinkLost);
     if (exploring(now.phase) && !in.armed) return tick.fail(AtemFailure::Disarmed);
+    if (exploring(now.phase) && in.notSent) return tick.fail(AtemFailure::NotSent);
     if (sceneCaptured(now.phase) && in.poseChanged) return tick.fail(AtemFailure::PoseChanged);
 
     switch (now.phase) {
@@ -285,6 +286,7 @@ SourceText describe(AtemFailure failure)
         return TR_NOOP("core", "the tracks moved less than the advance asked for");
     case AtemFailure::RanOn:
         return TR_NOOP("core", "the tracks moved further than the advance asked for");
+    case AtemFailure::NotSent: return TR_NOOP("core", "a command could not be sent");
     }
     throw std::invalid_argument("describe: no such AtemFailure");
 }
@@ -298,7 +300,7 @@ constexpr auto kPhaseNames =
 constexpr auto kFailureNames = namesOf<AtemFailure>(
     "none", "halt-timeout", "press-timeout", "estimate-timeout", "estimate-error", "probe-timeout",
     "probe-refused", "press-refused", "link-lost", "pose-changed", "approval-void", "disarmed",
-    "advance-timeout", "advance-refused", "not-moved", "ran-on");
+    "advance-timeout", "advance-refused", "not-moved", "ran-on", "not-sent");
 
 }  // namespace
 

@@ -64,6 +64,7 @@ enum class AtemFailure : std::uint8_t {
     AdvanceRefused,
     NotMoved,  ///< the tracks moved less than commanded
     RanOn,     ///< the tracks moved further than commanded
+    NotSent,   ///< a command could not leave, so the robot was never asked
 };
 
 struct AtemState {
@@ -95,6 +96,7 @@ struct AtemInput {
     bool refused = false;  ///< the operator refused the probe
     bool linkAlive = true;
     bool armed = true;     ///< the robot accepts motion commands from this console
+    bool notSent = false;  ///< the command of the present phase could not leave
     bool halted = false;   ///< the robot stands still
     bool pressed = false;  ///< the torque threshold is reached and the scene is captured
     bool pressRefused = false;

@@ -6087,6 +6087,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>cannot be written: is the disk full, or the file larger than ulimit -f allows?</source>
         <translation>nelze zapsat: není disk plný, nebo soubor větší, než dovoluje ulimit -f?</translation>
     </message>
+    <message>
+        <source>a command could not be sent</source>
+        <translation>příkaz nebylo možné odeslat</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

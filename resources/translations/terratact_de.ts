@@ -6087,6 +6087,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>cannot be written: is the disk full, or the file larger than ulimit -f allows?</source>
         <translation>kann nicht geschrieben werden: ist das Laufwerk voll, oder die Datei größer, als ulimit -f erlaubt?</translation>
     </message>
+    <message>
+        <source>a command could not be sent</source>
+        <translation>ein Befehl konnte nicht gesendet werden</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <map>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "app/runtime/steady_now.h"
 
@@ -13,13 +16,15 @@ namespace terratact {
 
 /// The machine's clock, but never further than kMostAhead past the time that each of its threads read last. A busy
 /// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
-/// once they read again. A thread that has ended does not count, nor one that reads so rarely that it was gone.
+/// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone. While
+/// it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
 class PatientClock {
 public:
     /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn
     static constexpr double kMostAhead = 0.02;
-    /// [s] of the machine's clock without a read, after which a thread is gone
+    /// [s] without a read, after which a sleeping thread is gone; longer pauses of all threads count as kPause
     static constexpr double kGone = 0.5;
+    static constexpr double kPause = 0.05;
     /// [s] the same for the window's thread, which may paint for long
     static constexpr double kWindowGone = 10.0;
 
@@ -28,14 +33,16 @@ public:
     {
         const std::scoped_lock lock(mutex_);
         const double machine = steadyNow();
-        if (time_ == 0.0) time_ = machine;
+        if (time_ == 0.0) time_ = machine_ = machine;
+        seen_ += std::min(machine - std::exchange(machine_, machine), kPause);
         const auto mine = reads_.find(::gettid());
-        if (mine != reads_.end()) mine->second.machine = machine;
+        if (mine != reads_.end()) mine->second.seen = seen_;
         double until = machine;
         for (auto read = reads_.begin(); read != reads_.end();) {
             const bool waits = read->second.time + kMostAhead < machine;
             const double gone = read->first == ::getpid() ? kWindowGone : kGone;
-            if (waits && (machine - read->second.machine > gone || hasEnded(read->first))) {
+            const bool isSilent = seen_ - read->second.seen > gone;
+            if (waits && ((isSilent && !isDelayed(read->first)) || hasEnded(read->first))) {
                 read = reads_.erase(read);
                 continue;
             }
@@ -43,7 +50,7 @@ public:
             ++read;
         }
         time_ = std::max(time_, until);
-        reads_[::gettid()] = {time_, machine};
+        reads_[::gettid()] = {time_, seen_};
         return time_;
     }
     /// The calling thread does not count until it reads again: what it does then takes time.
@@ -62,14 +69,25 @@ public:
 
 private:
     struct Read {
-        double time = 0.0;     ///< [s] of this clock
-        double machine = 0.0;  ///< [s] of the machine's clock
+        double time = 0.0;  ///< [s] of this clock
+        double seen = 0.0;  ///< seen_ at that time
     };
     static bool hasEnded(pid_t thread) { return ::tgkill(::getpid(), thread, 0) != 0; }
+    /// Returns true if the thread runs, or waits for a processor or a disk: the machine delays it.
+    static bool isDelayed(pid_t thread)
+    {
+        std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/stat");
+        std::string text;
+        std::getline(file, text);
+        const std::size_t name = text.rfind(") ");  // "17 (name) R …"
+        return name != std::string::npos && (text[name + 2] == 'R' || text[name + 2] == 'D');
+    }
 
     mutable std::mutex mutex_;  // guards the members below
     std::map<pid_t, Read> reads_;
     double time_ = 0.0;
+    double machine_ = 0.0;  ///< the machine's clock at the last read of any thread [s]
+    double seen_ = 0.0;     ///< [s] of the machine's clock, without long pauses of all threads
 };
 
 }  // namespace terratact

@@ -125,6 +125,16 @@ TEST_F(Bench, aPressIsExpectedToTakeAsLongAsTheOneBefore)
     EXPECT_NEAR(exploration->time()->seconds, 2.0, 0.1);
 }
 
+TEST_F(Bench, aRobotThatWasNeverAskedHasNotRefused)
+{
+    telemetry.activity = RobotActivity::Halted;
+    source.setDeaf(true);
+    exploration->request();
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    EXPECT_EQ(exploration->state().failure, AtemFailure::NotSent);
+    EXPECT_EQ(exploration->stateWords().english(), "a command could not be sent: the bus is off");
+}
+
 TEST_F(Bench, anOldRefusalIsNotTheAnswerToANewCommand)
 {
     telemetry.refusal = Refusal::Busy;
