@@ -24,7 +24,6 @@ namespace terratact {
 namespace {
 
 constexpr int kDone = 0;
-constexpr int kFailed = 1;
 
 /// Leaves nothing half-written behind Ctrl+C and the like. A command that is asked to ignore a
 /// signal, as nohup does, still ignores it.

@@ -21,7 +21,6 @@
 namespace terratact {
 namespace {
 
-constexpr int kFailed = 1;
 // [bytes] minimum besides the libraries; without a limit it uses 750 MB
 constexpr std::size_t kWindowMemory = 700'000'000;
 

@@ -40,14 +40,14 @@ public:
         AtemLimits limits;
         ProbePolicy probes = ProbePolicy::Variance;
         double pressTorque = 18.0;  ///< [N m] sum of both front flippers
-        double driveSpeed = 0.2;    ///< [m/s]
+        double driveSpeed = 0.2;    ///< [m/s] of keys; the gate allows GateLimits::speed
         AttitudeLimits attitude;    ///< beyond amber, feel forward does not go on
         /// [s] telemetry watchdog: longer silence means a lost link.
         double linkLostAfter = kLinkLostAfter;
         double staleAfter =
             kStaleAfter;  ///< [s] older telemetry is stale: no verdict, nothing remembered
         double probeSeconds = 45.0;  ///< expected duration of a probe, shown to the operator
-        /// Ground file of the simulated robot, or "" for its built-in ground; empty: a real robot.
+        /// Ground file of the simulated robot, or "" for the built-in step or random ground; std::nullopt: a real robot.
         std::optional<std::string> groundFile;
     };
 

@@ -14,8 +14,8 @@
 
 namespace terratact {
 
-/// Exit status of a program that was given wrong arguments.
-inline constexpr int kWrongArguments = 2;
+/// Exit status of a program that failed, and of one that was given wrong arguments.
+inline constexpr int kFailed = 1, kWrongArguments = 2;
 
 /// Throws for the numbers that CLI11's ranges let through: nan, infinity, and whole numbers that are
 /// negative or too large for 64 bits.

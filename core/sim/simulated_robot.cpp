@@ -9,6 +9,7 @@ namespace terratact {
 
 namespace {
 
+// The robot's own limits; those of the console are GateLimits (core/atem/command_gate.h).
 constexpr double kMaxSpeed = 0.6;      // [m/s]
 constexpr double kMargin = 0.7;        // [m] the robot keeps this distance from the terrain's ends
 constexpr double kMaxAdvance = 0.1;    // [m]

@@ -6089,7 +6089,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a command could not be sent</source>
-        <translation>příkaz nebylo možné odeslat</translation>
+        <translation>povel nebylo možné odeslat</translation>
     </message>
 </context>
 <context>

@@ -186,7 +186,8 @@ std::optional<QString> TrainingPage::whyNotAdopt() const
 {
     if (phase_ == Phase::Adopting) return whyBusy();
     if (trained_.isEmpty()) return tr("Train a model first.");
-    if (phase_ == Phase::Training || phase_ == Phase::Comparing) return std::nullopt;
+    if (phase_ == Phase::Training || phase_ == Phase::Comparing)
+        return std::nullopt;  // seen already
     if (phase_ != Phase::Compared) return tr("Compare the new model before it is adopted.");
     if (exploring(exploration_.state().phase))
         return tr("An exploration is running: the model stays until it has ended (Esc ends it).");
@@ -224,7 +225,7 @@ void TrainingPage::compare()
 
 void TrainingPage::adopt()
 {
-    if (whyNotAdopt()) return;
+    if (phase_ != Phase::Compared || whyNotAdopt()) return;
     enter(Phase::Adopting);
     emit adopted(trained_);
 }

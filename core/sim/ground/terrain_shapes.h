@@ -30,9 +30,9 @@ TerrainProfile roughTerrain(double sd, double correlation, double length, std::m
 /// Returns the sum of two profiles' heights at every point of either; vertical faces are kept.
 TerrainProfile sum(const TerrainProfile& a, const TerrainProfile& b);
 
+inline constexpr double kDemoStep = 2.6;  ///< [m] place of the step in demoTerrain()
 /// Returns the ground of the demonstration: uneven floor, a step of 0.24 m at x = kDemoStep, a
 /// landing, stairs down. No box of the paper's training set has that height.
-inline constexpr double kDemoStep = 2.6;  ///< [m]
 TerrainProfile demoTerrain();
 
 }  // namespace terratact
