@@ -57,11 +57,32 @@ void Exploration::askAnew()
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
 
+bool Exploration::reportsExploring() const
+{
+    return bus_ && bus_->link.robot && bus_->link.robot->exploring;
+}
+
 bool Exploration::isRobotStillExploring(double endedAt) const
 {
-    // After an abort the robot accepts a drive only once its next status reports the end of the exploration.
-    const auto robot = bus_ ? bus_->link.robot : std::nullopt;
-    return robot && robot->exploring && now_ - endedAt < kEndsWithin;
+    // After an abort the robot accepts a drive, or another exploration, only once its next status reports the end.
+    return reportsExploring() && now_ - endedAt < kEndsWithin;
+}
+
+void Exploration::beginOn()
+{
+    if (state_.phase != AtemPhase::Halting || !beginWanted_ || isRobotStillExploring(state_.since))
+        return;
+    beginWanted_ = false;
+    ask(BeginAtemCommand{});
+}
+
+bool Exploration::hasHalted() const
+{
+    const RobotActivity activity = latest_->sample.measurement.activity;
+    const bool stands = activity == RobotActivity::Halted || activity == RobotActivity::Pressed;
+    const bool hasBegun =
+        !bus_ || !bus_->link.robot || reportsExploring();  // else it takes no press
+    return stands && hasBegun && !beginWanted_;
 }
 
 void Exploration::driveOn()
@@ -120,9 +141,7 @@ void Exploration::poll(AtemInput& in)
     const bool refused = m.refusal != Refusal::None;
     if (exploring(state_.phase)) refusal_ = m.refusal;
     switch (state_.phase) {
-    case AtemPhase::Halting:
-        in.halted = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
-        break;
+    case AtemPhase::Halting: in.halted = hasHalted(); break;
     case AtemPhase::Pressing:
         in.pressRefused = refused || m.activity == RobotActivity::Halted;
         break;
@@ -197,6 +216,7 @@ void Exploration::advance()
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
     showLoop(before);
+    beginOn();
     sendAdvance();
     driveOn();
     watchDrive();
@@ -246,7 +266,8 @@ void Exploration::enter(const AtemState& before)
         if (!before.loops)
             emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
                           EventSeverity::Note);
-        ask(BeginAtemCommand{});
+        beginWanted_ = true;
+        if (reportsExploring()) command(AbortAtemCommand{});  // of before, or of another console
         break;
     case AtemPhase::Pressing:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the front flippers press down"));

@@ -187,6 +187,9 @@ private:
     void showLoop(const AtemState& before);
     Message loopWords() const;
     /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
+    bool reportsExploring() const;  ///< false also without a bus
+    bool hasHalted() const;
+    void beginOn();  ///< begins the exploration once the robot has ended the one before
     bool isRobotStillExploring(double endedAt) const;
 
     DriveCommand driveCommand() const;
@@ -234,6 +237,7 @@ private:
     int direction_ = 0;                 ///< of the drive
     std::optional<double> driveSpeed_;  ///< [m/s]
     DriveWatch driveWatch_;
+    bool beginWanted_ = false;                 ///< Halting: the exploration is not begun yet
     std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;

@@ -169,6 +169,23 @@ TEST_F(BusConsole, aPendingDriveEndsWhenItsKeyIsReleased)
     window.reset();
 }
 
+TEST_F(BusConsole, theNextExplorationWaitsForTheEndOfTheOneBefore)
+{
+    StagedRobot slow = stagedRobot();
+    openOn();
+    Exploration& exploration = window->exploration();
+    ASSERT_TRUE(exploresUntilAsked());
+    slow.stage({.explores = true});
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    exploration.request();
+    ASSERT_TRUE(reaches(AtemPhase::Halting));
+    slow.stage({});
+    EXPECT_TRUE(gets(AtemPhase::ProposingProbe));
+    EXPECT_EQ(window->events()->findItems("command not sent", Qt::MatchContains).size(), 0);
+    window.reset();
+}
+
 TEST_F(BusConsole, isReceiveOnlyWithoutTransmit)
 {
     open(CanSource::Mode::Listen);

@@ -364,7 +364,7 @@ TEST(AtemMachine, hasWordsForEveryPhaseAndFailure)
 {
     std::vector<std::string> words;
     for (const AtemPhase phase : kPhases) words.push_back(describe(phase).english);
-    for (int f = 0; f <= static_cast<int>(AtemFailure::RanOn); ++f)
+    for (int f = 0; f <= static_cast<int>(AtemFailure::NotSent); ++f)
         words.push_back(describe(static_cast<AtemFailure>(f)).english);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(words[i], words[j]);

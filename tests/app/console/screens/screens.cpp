@@ -385,7 +385,7 @@ void Screens::explore()
     ASSERT_TRUE(eventually(
         [&] { return phase() == AtemPhase::ProposingProbe || !exploring(phase()); }, kPatience));
     ASSERT_EQ(phase(), AtemPhase::ProposingProbe)
-        << describe(phase()).english << ": " << describe(exploration.state().failure).english;
+        << describe(phase()).english << ": " << exploration.stateWords().english();
     ASSERT_TRUE(eventually(
         [&] { return console->probeCard()->shown() || phase() != AtemPhase::ProposingProbe; },
         kPatience));
