@@ -35,7 +35,8 @@ struct PanelReport {
     Message trouble;
 };
 
-/// The operator panel on GPIO lines. nextPanel() judges and debounces its contacts (core/atem/panel.h). One thread must call poll() in a loop.
+/// The operator panel on GPIO lines. nextPanel() judges and debounces its contacts
+/// (core/atem/panel.h). One thread must call poll() in a loop.
 class OperatorPanel {
 public:
     using Open = std::function<Result<std::unique_ptr<GpioLines>>(const GpioRequest&)>;

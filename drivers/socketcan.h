@@ -20,7 +20,8 @@ namespace terratact {
 Status checkInterfaceName(std::string_view name);
 
 /// CAN interface of Linux. An interface that goes down, or disappears and comes back, is found
-/// again by its name: it is looked for every 0.1 s, and up to every second while it is absent. Frames to be sent meanwhile are refused, never sent later.
+/// again by its name. A present one is checked every 0.1 s. An absent one is looked for after 0.1
+/// s, and later after up to 1 s. Frames to be sent meanwhile are refused, never sent later.
 ///
 /// The kernel sends every accepted frame, however late. If no node acknowledges, commands would
 /// wait and then all leave at once. A window prevents that: send() refuses while `maxUnconfirmed`

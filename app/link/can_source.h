@@ -40,8 +40,9 @@ struct BitRate {
     bool nominal = false;                   ///< assumed: the bus itself has no bit rate
 };
 
-/// A robot on a CAN bus. The thread that calls next(), that of Acquisition (acquisition.h), receives, sends heartbeats and repeats drive commands. If the
-/// console's threads stall, the heartbeats end and the robot's watchdog halts it.
+/// A robot on a CAN bus. The thread that calls next() is that of Acquisition (acquisition.h). It receives, sends
+/// heartbeats and repeats drive commands. If the console's threads stall, the heartbeats end and the robot's watchdog
+/// halts it.
 class CanSource final : public MeasurementSource {
 public:
     enum class Mode : std::uint8_t { Listen, Transmit, Replay };

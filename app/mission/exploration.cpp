@@ -11,7 +11,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kEndsWithin = 1.0;  // [s] a robot needs to end an exploration
+constexpr double kEndsWithin = 1.0;   // [s] a robot needs to end an exploration
+constexpr double kRepeatBegin = 0.3;  // [s]
 
 }  // namespace
 
@@ -70,19 +71,18 @@ bool Exploration::isRobotStillExploring(double endedAt) const
 
 void Exploration::beginOn()
 {
-    if (state_.phase != AtemPhase::Halting || !beginWanted_ || isRobotStillExploring(state_.since))
-        return;
-    beginWanted_ = false;
+    if (state_.phase != AtemPhase::Halting || reportsExploring()) return;
+    // A begin that waits for the robot's challenge can be lost.
+    const bool mayBeLost = bus_ && answered();
+    if (beganAt_ && !(mayBeLost && now_ - *beganAt_ >= kRepeatBegin)) return;
+    beganAt_ = now_;
     ask(BeginAtemCommand{});
 }
 
-bool Exploration::hasHalted() const
+bool Exploration::hasBegun() const
 {
-    const RobotActivity activity = latest_->sample.measurement.activity;
-    const bool stands = activity == RobotActivity::Halted || activity == RobotActivity::Pressed;
-    const bool hasBegun =
-        !bus_ || !bus_->link.robot || reportsExploring();  // else it takes no press
-    return stands && hasBegun && !beginWanted_;
+    const bool tells = bus_ && bus_->link.robot;  // else the press is its answer
+    return beganAt_ && (!tells || reportsExploring());
 }
 
 void Exploration::driveOn()
@@ -92,22 +92,23 @@ void Exploration::driveOn()
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
-bool Exploration::command(const Command& command)
+std::optional<Message> Exploration::command(const Command& command)
 {
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
-    if (!sent) {
-        notSent_ = troubleOf(link_, sent.error().message);
-        emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"), notSent_),
-                      EventSeverity::Bad);
-    }
-    return static_cast<bool>(sent);
+    if (sent) return std::nullopt;
+    Message why = troubleOf(link_, sent.error().message);
+    emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"), why),
+                  EventSeverity::Bad);
+    return why;
 }
 
-/// Sends the command that the present phase waits for.
-void Exploration::ask(const Command& wanted)
+bool Exploration::ask(const Command& wanted)
 {
-    pending_.notSent = !command(wanted);
+    const std::optional<Message> why = command(wanted);
+    pending_.notSent = why.has_value();
+    if (why) notSent_ = *why;
+    return !why;
 }
 
 bool Exploration::armed() const
@@ -141,7 +142,13 @@ void Exploration::poll(AtemInput& in)
     const bool refused = m.refusal != Refusal::None;
     if (exploring(state_.phase)) refusal_ = m.refusal;
     switch (state_.phase) {
-    case AtemPhase::Halting: in.halted = hasHalted(); break;
+    case AtemPhase::Halting: {
+        const bool stands =
+            m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
+        in.halted = stands && hasBegun();
+        in.unbegun = stands && !hasBegun();
+        break;
+    }
     case AtemPhase::Pressing:
         in.pressRefused = refused || m.activity == RobotActivity::Halted;
         break;
@@ -266,8 +273,8 @@ void Exploration::enter(const AtemState& before)
         if (!before.loops)
             emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
                           EventSeverity::Note);
-        beginWanted_ = true;
-        if (reportsExploring()) command(AbortAtemCommand{});  // of before, or of another console
+        beganAt_.reset();
+        if (reportsExploring()) command(AbortAtemCommand{});  // of before
         break;
     case AtemPhase::Pressing:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the front flippers press down"));
@@ -386,6 +393,7 @@ Message Exploration::failureWords() const
     if (state_.failure == AtemFailure::NotSent) return Message::joined(what, notSent_);
     const bool refused = state_.failure == AtemFailure::PressRefused
                       || state_.failure == AtemFailure::ProbeRefused
+                      || state_.failure == AtemFailure::BeginTimeout
                       || state_.failure == AtemFailure::AdvanceRefused;
     if (!refused || refusal_ == Refusal::None) return what;
     return Message::joined(what, describe(refusal_));

@@ -186,17 +186,19 @@ private:
     void endAdvance();
     void showLoop(const AtemState& before);
     Message loopWords() const;
-    /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
     bool reportsExploring() const;  ///< false also without a bus
-    bool hasHalted() const;
+    bool hasBegun() const;          ///< in Halting
     void beginOn();  ///< begins the exploration once the robot has ended the one before
+    /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
     bool isRobotStillExploring(double endedAt) const;
 
     DriveCommand driveCommand() const;
     void driveOn();
     void watchDrive();
-    bool command(const Command& command);  ///< returns false, and reports it, if it was not sent
-    void ask(const Command& wanted);
+    std::optional<Message>
+    command(const Command& command);  ///< returns, and reports, why it was not sent
+    /// Sends the command that the present phase waits for. Unsent, it ends the exploration; returns false then.
+    bool ask(const Command& wanted);
     bool answered() const;    ///< the newest sample was measured after the last command
     bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
@@ -231,13 +233,12 @@ private:
     bool held_ = false;                    ///< the operator holds the control of feel forward
     LoopPace pace_;                        ///< way of the finished advances
     std::optional<AdvanceWatch> advance_;  ///< since the command was sent
-    bool advanceNotSent_ = false;          ///< the gate or the link refused it
 
     bool driving_ = false;
     int direction_ = 0;                 ///< of the drive
     std::optional<double> driveSpeed_;  ///< [m/s]
     DriveWatch driveWatch_;
-    bool beginWanted_ = false;                 ///< Halting: the exploration is not begun yet
+    std::optional<double> beganAt_;  ///< Halting: time of the newest begin [s]; empty: none yet
     std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
@@ -245,7 +246,7 @@ private:
     /// The robot has confirmed STOP; missing telemetry does not revoke it.
     bool stopConfirmed_ = false;
     Message stopTrouble_;  ///< reason that the newest STOP was not sent
-    Message notSent_;      ///< reason that the last unsent command was not sent
+    Message notSent_;      ///< reason that a phase's command was not sent
 
     double approvedAt_ = 0.0;          ///< [s]
     std::optional<double> pressTook_;  ///< [s] duration of the last press in this run

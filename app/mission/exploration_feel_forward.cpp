@@ -112,7 +112,6 @@ void Exploration::pollLoop(AtemInput& in)
 void Exploration::pollAdvance(AtemInput& in)
 {
     in.tilted = feltAhead().attitude != AttitudeLevel::Level;
-    in.advanceRefused = advanceNotSent_;
     if (!advance_ || !answered()) return;
     const Measurement& m = latest_->sample.measurement;
     in.advanceRefused = m.refusal != Refusal::None;
@@ -127,18 +126,15 @@ void Exploration::pollAdvance(AtemInput& in)
 
 void Exploration::sendAdvance()
 {
-    if (state_.phase != AtemPhase::Advancing || advance_ || advanceNotSent_) return;
+    if (state_.phase != AtemPhase::Advancing || advance_) return;
     if (isRobotStillExploring(state_.since)) return;
-    if (command(AdvanceCommand{.distance = kAdvance}))
+    if (ask(AdvanceCommand{.distance = kAdvance}))
         advance_.emplace(latest_->sample.measurement, kAdvance);
-    else
-        advanceNotSent_ = true;
 }
 
 void Exploration::beginAdvance()
 {
     advance_.reset();
-    advanceNotSent_ = false;
     emit happened(Message(TR_NOOP("terratact::Exploration",
                                   "advancing %1 m: CLEAR for %2 m ahead of the tracks"),
                           fixed(kAdvance, 1), fixed(clearWay(*estimation_.verdict()), 2)),

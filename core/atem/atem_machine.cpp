@@ -172,7 +172,8 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
     switch (now.phase) {
     case AtemPhase::Idle: return tick.requested() ? tick.request() : now;
     case AtemPhase::Halting:
-        return in.halted ? tick.enter(AtemPhase::Pressing) : orLate(AtemFailure::HaltTimeout);
+        if (in.halted) return tick.enter(AtemPhase::Pressing);
+        return orLate(in.unbegun ? AtemFailure::BeginTimeout : AtemFailure::HaltTimeout);
     case AtemPhase::Pressing:
         if (in.pressRefused) return tick.fail(AtemFailure::PressRefused);
         return in.pressed ? tick.enter(AtemPhase::Estimating) : orLate(AtemFailure::PressTimeout);
@@ -287,6 +288,8 @@ SourceText describe(AtemFailure failure)
     case AtemFailure::RanOn:
         return TR_NOOP("core", "the tracks moved further than the advance asked for");
     case AtemFailure::NotSent: return TR_NOOP("core", "a command could not be sent");
+    case AtemFailure::BeginTimeout:
+        return TR_NOOP("core", "the robot did not begin the exploration in time");
     }
     throw std::invalid_argument("describe: no such AtemFailure");
 }
@@ -300,7 +303,7 @@ constexpr auto kPhaseNames =
 constexpr auto kFailureNames = namesOf<AtemFailure>(
     "none", "halt-timeout", "press-timeout", "estimate-timeout", "estimate-error", "probe-timeout",
     "probe-refused", "press-refused", "link-lost", "pose-changed", "approval-void", "disarmed",
-    "advance-timeout", "advance-refused", "not-moved", "ran-on", "not-sent");
+    "advance-timeout", "advance-refused", "not-moved", "ran-on", "not-sent", "begin-timeout");
 
 }  // namespace
 

@@ -21,7 +21,8 @@ namespace terratact {
 ///                                                              ▲ estimateReady        │ probeDone
 ///                                                              └── EstimatingAgain ◀──┘
 ///   any state: stop ▶ Stopped, stopReleased ▶ Idle.   any but Stopped: aborted ▶ Idle.
-///   while exploring: a lost link, a disarmed robot, a time limit, a refusal, an error, a moved robot ▶ Failed.
+///   while exploring: a lost link, a disarmed robot, an unsent command, a time limit, a refusal, an error,
+///   a moved robot ▶ Failed.
 ///   an approval whose grounds have changed ▶ Failed.
 ///   Presenting and Failed: requested ▶ Halting.
 ///
@@ -65,6 +66,7 @@ enum class AtemFailure : std::uint8_t {
     NotMoved,  ///< the tracks moved less than commanded
     RanOn,     ///< the tracks moved further than commanded
     NotSent,   ///< a command could not leave, so the robot was never asked
+    BeginTimeout,
 };
 
 struct AtemState {
@@ -97,7 +99,8 @@ struct AtemInput {
     bool linkAlive = true;
     bool armed = true;     ///< the robot accepts motion commands from this console
     bool notSent = false;  ///< the command of the present phase could not leave
-    bool halted = false;   ///< the robot stands still
+    bool halted = false;   ///< the robot stands still, and has begun the exploration
+    bool unbegun = false;  ///< the robot stands still, and has not begun it
     bool pressed = false;  ///< the torque threshold is reached and the scene is captured
     bool pressRefused = false;
     bool estimateReady = false;
@@ -115,7 +118,7 @@ struct AtemInput {
     LoopEnd forbids = LoopEnd::NoVerdict;
     bool telemetryFresh = true;
     bool advanced = false;        ///< the robot has moved as commanded, and stands still
-    bool advanceRefused = false;  ///< by the gate or by the robot
+    bool advanceRefused = false;  ///< by the robot
     bool notMoved = false;
     bool ranOn = false;
     bool tilted = false;      ///< pitch or roll is beyond its limit

@@ -83,7 +83,8 @@ double operatorPatience(const GateView& view, const GateLimits& limits);
 /// Stop, Halt, AbortAtem and disarming always pass if they are well formed. A heartbeat passes
 /// while the operator's window and panel respond; while nothing moves they may pause. Every other
 /// command needs the operator, the link, and the robot's epoch and challenge. A frozen window
-/// therefore ends a drive: no Drive frame passes after operatorAge, and the robot's dead-man halts it.
+/// therefore ends a drive: after operatorAge no Drive frame passes, and ConsoleLink disarms the robot.
+/// Its dead-man acts if even that does not arrive.
 /// Each command also needs a state; the table of tests/core/atem/command_gate_test.cpp has its row.
 /// Pure function; a NaN in view or limits refuses.
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);

@@ -6,11 +6,11 @@
 namespace terratact {
 
 /// Estimates both sides of one scene by settings.method, Joint or Local. A scene that is symmetric
-/// within its sensors' noise (isSymmetric(), core/robot/side_plane.h) is estimated as one plane, from both sides' means. That
-/// is not so if the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise
-/// models.sides estimates it. Any current or force may be missing, of one side or both. The
-/// processes are then trained without it (reduced_clearances.h), and the bands widen. Throws
-/// RefusedInput if the model has no two-track part and the scene needs it. It refuses a
+/// within its sensors' noise (isSymmetric(), core/robot/side_plane.h) is estimated as one plane,
+/// from both sides' means. That is not so if the arm measured something; TwoTrackEstimate::onePlane
+/// tells. Otherwise models.sides estimates it. Any current or force may be missing, of one side or
+/// both. The processes are then trained without it (reduced_clearances.h), and the bands widen.
+/// Throws RefusedInput if the model has no two-track part and the scene needs it. It refuses a
 /// differential that has turned, too: features describe a locked one. Throws std::invalid_argument
 /// for another method and for settings out of range. Throws Cancelled.
 TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& arms,

@@ -55,8 +55,8 @@ struct TiltRange {
 /// between its axles, and across, between the tracks:
 ///   slip  = share (Σ |ds| cos θ, Σ |ds| sin θ)
 ///   upSd² = (pitchSd Σ |ds|)² + (trackAxle / √12 · max |θ − θ₀|)² + (trackY / √3 · max |φ − φ₀|)²
-/// share is RobotModel::travelledSdShare, pitchSd is the robot's, φ is roll. The last two terms are the sd of a point anywhere
-/// between the axles and between the tracks' middles.
+/// share is RobotModel::travelledSdShare, pitchSd is the robot's, and φ is roll. The last two terms
+/// are the sd of a point anywhere between the axles and between the tracks' middles.
 class Odometry {
 public:
     /// The functions throw std::invalid_argument for a number that is not finite.

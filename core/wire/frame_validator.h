@@ -29,10 +29,9 @@ class FrameValidator {
 public:
     FrameValidator();
 
-    /// Judges a frame. It is refused for a wrong checksum, a repeated counter, a jump of the counter by
-    /// more than E2eReceiver::kMaxDelta, no data, or a value out of range. Damaged bytes are an error
-    /// of their link. Wrong content with a right checksum has a fault, and its frame counts as missing.
-    /// now: time on any one clock [s].
+    /// Judges a frame. FrameFault (can_codec.h) and FrameCheck (e2e.h) list what is refused. Damaged
+    /// bytes are an error of their link. Wrong content with a right checksum has a fault, and its frame
+    /// counts as missing. now: time on any one clock [s].
     JudgedFrame judge(const CanFrame& frame, double now);
 
     LinkState link(FrameKind kind, double now) const { return receiver(kind).state(now); }

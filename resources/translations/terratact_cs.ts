@@ -6091,6 +6091,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>a command could not be sent</source>
         <translation>povel nebylo možné odeslat</translation>
     </message>
+    <message>
+        <source>the robot did not begin the exploration in time</source>
+        <translation>robot nezačal průzkum včas</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -6091,6 +6091,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>a command could not be sent</source>
         <translation>ein Befehl konnte nicht gesendet werden</translation>
     </message>
+    <message>
+        <source>the robot did not begin the exploration in time</source>
+        <translation>der Roboter hat die Erkundung nicht rechtzeitig begonnen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

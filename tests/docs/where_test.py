@@ -1,4 +1,4 @@
-"""What docs/development.md and the READMEs of the rooms name is there, and every room is named by the one around it."""
+"""Files that docs/development.md and the READMEs of rooms name are there. The README around a room names the room."""
 
 import os
 import pathlib
@@ -59,11 +59,11 @@ class Rooms(unittest.TestCase):
 
     def test_a_readme_names_every_room_inside(self):
         unnamed = []
-        for readme in self.readmes():
-            text = readme.read_text()
-            for inner in readme.parent.glob("*/README.md"):
-                if f"`{inner.parent.name}/`" not in text:
-                    unnamed.append(str(inner.relative_to(SOURCE)))
+        readmes = {readme.parent for readme in self.readmes()}
+        for room in readmes:
+            around = next((folder for folder in room.parents if folder in readmes), None)
+            if around and f"`{room.relative_to(around)}/`" not in (around / "README.md").read_text():
+                unnamed.append(str(room.relative_to(SOURCE)))
         self.assertEqual(unnamed, [])
 
 

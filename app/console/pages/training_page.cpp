@@ -184,10 +184,8 @@ std::optional<QString> TrainingPage::whyNotCompare() const
 
 std::optional<QString> TrainingPage::whyNotAdopt() const
 {
-    if (phase_ == Phase::Adopting) return whyBusy();
+    if (auto why = whyBusy()) return why;
     if (trained_.isEmpty()) return tr("Train a model first.");
-    if (phase_ == Phase::Training || phase_ == Phase::Comparing)
-        return std::nullopt;  // seen already
     if (phase_ != Phase::Compared) return tr("Compare the new model before it is adopted.");
     if (exploring(exploration_.state().phase))
         return tr("An exploration is running: the model stays until it has ended (Esc ends it).");
@@ -225,7 +223,7 @@ void TrainingPage::compare()
 
 void TrainingPage::adopt()
 {
-    if (phase_ != Phase::Compared || whyNotAdopt()) return;
+    if (whyNotAdopt()) return;
     enter(Phase::Adopting);
     emit adopted(trained_);
 }
@@ -303,15 +301,12 @@ void TrainingPage::showButtons()
     offer(chooseTest_, phase_ == Phase::Comparing ? busy : std::nullopt,
           chooseTest_->accessibleName());
     offer(compare_, whyNotCompare(), tr("Estimate the test scenes with both models"));
-    adopt_->setEnabled(phase_ == Phase::Compared && !why);
-    setTip(*adopt_, (why    ? why
-                     : runs ? busy
-                            : std::nullopt)
-                        .value_or(tr("Use the new model from now on")));
+    adopt_->setEnabled(!why);
+    setTip(*adopt_, why.value_or(tr("Use the new model from now on")));
     offer(discard_, whyNotDiscard(), tr("Delete the new model's file"));
     if (const QString text = why.value_or(QString()); reason_->text() != text)
         reason_->setText(text);
-    reason_->setVisible(why.has_value());
+    reason_->setVisible(why && !runs);  // while it trains or compares, the bar says so
 }
 
 void TrainingPage::refresh(double /*now*/)

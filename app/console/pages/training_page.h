@@ -24,8 +24,8 @@ class HoldToConfirmButton;
 QString modelsDirectory();
 
 /// Trains a model from a scene file and compares it with the one in use. If the operator adopts it, it replaces that
-/// one. The live console continues meanwhile. Cancel and the end of the page stop the training; driving does not. Adoption needs a comparison since the
-/// training, and no exploration.
+/// one. The live console continues meanwhile. Cancel and the end of the page stop the training; driving does not.
+/// Adoption needs a comparison since the training, and no exploration.
 class TrainingPage final : public Page {
     Q_OBJECT
 public:

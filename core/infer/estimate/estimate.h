@@ -37,8 +37,8 @@ std::string_view name(Ending ending);
 /// values that may be copied across threads. Every number is finite except ceiling: it is +infinity
 /// where the robot does not cover part of the bin.
 struct TerrainEstimate {
-    /// Closed forms write them in closed_form_parts.cpp, Gibbs in draw_summary.cpp. addHazards() then
-    /// writes those of bins ahead that are not felt.
+    /// Closed forms write them in closed_form_parts.cpp, Gibbs in draw_summary.cpp. addHazards() and
+    /// addMeasuredHazards() then write those of bins that may hold a hazard.
     Heights mean{}, sd{}, q10{}, q90{};
     /// The one height to show [m]: the mean for the paper's four methods, else the median.
     /// Distributions of the other methods are skewed.

@@ -18,6 +18,7 @@
 #include "core/log/review_strip.h"
 #include "core/log/session_reader.h"
 #include "core/sim/ground/terrain_shapes.h"
+#include "core/wire/frame_layout.h"
 #include "drivers/log_replay.h"
 #include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/benches/staged_robot.h"
@@ -183,6 +184,27 @@ TEST_F(BusConsole, theNextExplorationWaitsForTheEndOfTheOneBefore)
     slow.stage({});
     EXPECT_TRUE(gets(AtemPhase::ProposingProbe));
     EXPECT_EQ(window->events()->findItems("command not sent", Qt::MatchContains).size(), 0);
+    window.reset();
+}
+
+TEST_F(BusConsole, anExplorationThatTheRobotDoesNotBeginFails)
+{
+    StagedRobot slow = stagedRobot();
+    slow.stage({.explores = false});
+    const auto recorder = bus.join("recorder", 0);
+    openOn();
+    arm();
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+    const auto begins = [&] {
+        std::size_t count = 0;
+        for (const BusFrame& heard : framesOf(*recorder))
+            count += heard.frame.id == layoutOf(FrameKind::BeginAtem).id ? 1 : 0;
+        return count;
+    };
+    window->exploration().request();
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    EXPECT_EQ(window->exploration().state().failure, AtemFailure::BeginTimeout);
+    EXPECT_GT(begins(), 1U) << "it was asked again";
     window.reset();
 }
 

@@ -47,7 +47,7 @@ std::vector<Message> coreMessages()
 {
     std::vector<Message> messages;
     addAllTo(messages, AtemPhase::Advancing);
-    addAllTo(messages, AtemFailure::NotSent);
+    addAllTo(messages, AtemFailure::BeginTimeout);
     addAllTo(messages, LoopEnd::NoOdometry);
     addAllTo(messages, DisarmCause::EpochChanged);
     addAllTo(messages, GateRefusal::OtherBin);

@@ -228,7 +228,8 @@ TEST_F(LoopBench, anAdvanceThatCannotBeSentFails)
     ASSERT_TRUE(comesTo(AtemPhase::Presenting));
     source.setDeaf(true);
     ASSERT_TRUE(comesTo(AtemPhase::Failed));
-    EXPECT_EQ(exploration->state().failure, AtemFailure::AdvanceRefused);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::NotSent);
+    EXPECT_TRUE(mentions(exploration->stateWords(), "the bus is off"));
 }
 
 TEST_F(LoopBench, staleTelemetryEndsAnAdvance)

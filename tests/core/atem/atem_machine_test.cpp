@@ -107,6 +107,12 @@ INSTANTIATE_TEST_SUITE_P(
     Faults, AtemArrow,
     testing::Values(
         Arrow{"doesNotHalt", Halting, {.now = 3}, Failed, AtemFailure::HaltTimeout},
+        Arrow{"doesNotBegin",
+              Halting,
+              {.now = 3, .unbegun = true},
+              Failed,
+              AtemFailure::BeginTimeout},
+        Arrow{"beginsLate", Halting, {.now = 2.9, .unbegun = true}, Halting},
         Arrow{"haltsAtTheLastMoment", Halting, {.now = 3, .halted = true}, Pressing},
         Arrow{"pressRefused",
               Pressing,
@@ -364,7 +370,7 @@ TEST(AtemMachine, hasWordsForEveryPhaseAndFailure)
 {
     std::vector<std::string> words;
     for (const AtemPhase phase : kPhases) words.push_back(describe(phase).english);
-    for (int f = 0; f <= static_cast<int>(AtemFailure::NotSent); ++f)
+    for (int f = 0; f <= static_cast<int>(AtemFailure::BeginTimeout); ++f)
         words.push_back(describe(static_cast<AtemFailure>(f)).english);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(words[i], words[j]);
