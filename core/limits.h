@@ -32,8 +32,12 @@ inline constexpr double kMaxSilence = 1.0;
 /// Range of the operator's step limit [m]. Its default is kStepLimit (core/terrain/step.h).
 inline constexpr double kLowestStepLimit = 0.02, kHighestStepLimit = 0.60;
 
-/// Probe threshold [m]: a bin with a larger standard deviation asks for the arm. offerProbe() asks
-/// (core/atem/probe/probe_policy.h). Source: section 4.4 of the paper.
+/// Most that the robot may advance in feel forward [m].
+inline constexpr double kMaxAdvance = 0.1;
+
+/// Probe threshold [m]: a bin with a larger standard deviation asks for the arm. It is the default of
+/// Settings::probeAbove, which proposeProbe() compares (core/atem/probe/arm_choice.h). Source: section
+/// 4.4 of the paper.
 inline constexpr double kProbeThreshold = 0.06;
 
 }  // namespace terratact

@@ -72,7 +72,7 @@ struct GateLimits {
     double approvalAge = kApprovalExpiry;  ///< approval expiry [s]
     double speed = 0.6;                    ///< [m/s] in both directions
     double torque = 60.0;                  ///< [N m]
-    double advance = 0.1;                  ///< [m]
+    double advance = kMaxAdvance;          ///< [m]
     double lowestFlipper = -1.6, highestFlipper = 3.1416;  ///< [rad]
 };
 

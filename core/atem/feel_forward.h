@@ -4,12 +4,13 @@
 
 #include "core/atem/loop_end.h"
 #include "core/infer/verdict/two_track_verdict.h"
+#include "core/limits.h"
 #include "core/robot/attitude.h"
 
 namespace terratact {
 
-/// Advance of feel forward [m]: the largest that the robot accepts (core/atem/command_gate.h).
-inline constexpr double kAdvance = 0.1;
+/// Advance of feel forward [m]: the most that the gate passes and the simulated robot accepts.
+inline constexpr double kAdvance = kMaxAdvance;
 
 /// Way and time of one feel forward.
 struct LoopPace {

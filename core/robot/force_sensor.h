@@ -20,7 +20,7 @@ struct ForcePoint {
 
 /// Calibration from voltage to force for the six elements of both front flippers. A force-sensing
 /// resistor and a reference resistor are in series. The voltage is measured on the reference
-/// resistor, so that it rises with force.
+/// resistor, so that it rises with force. Rear elements use the same curve without a bias.
 struct ForceCalibration {
     double supply = 0.0;            ///< [V] across both resistors
     double reference = 0.0;         ///< [Ω]

@@ -1,4 +1,5 @@
 #include "core/sim/simulated_robot.h"
+#include "core/limits.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace {
 // The robot's own limits; those of the console are GateLimits (core/atem/command_gate.h).
 constexpr double kMaxSpeed = 0.6;      // [m/s]
 constexpr double kMargin = 0.7;        // [m] the robot keeps this distance from the terrain's ends
-constexpr double kMaxAdvance = 0.1;    // [m]
 constexpr double kAdvanceSpeed = 0.1;  // [m/s]
 constexpr double kHighestFlipper = 3.1;  // [rad]
 

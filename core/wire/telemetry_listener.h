@@ -26,7 +26,7 @@ struct TelemetryCounters {
     std::uint64_t lines = 0;       ///< telemetry lines that became a Measurement
     std::uint64_t unfinished = 0;  ///< lines that never became complete
     std::uint64_t partial = 0;     ///< complete lines without attitude or flipper angles
-    std::uint64_t orphans = 0;     ///< complete lines without a status of at most 0.25 s
+    std::uint64_t orphans = 0;     ///< complete lines without a status of at most kLinkLostAfter
 
     std::uint64_t of(FrameFault fault) const { return faults[static_cast<std::size_t>(fault)]; }
     bool operator==(const TelemetryCounters&) const = default;

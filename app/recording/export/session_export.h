@@ -17,7 +17,7 @@ namespace terratact {
 /// Export formats of a session.
 ///   Candump  log of can-utils and python-can, one frame per line, times since 1970
 ///   Asc      Vector's format, one frame per line, times since the session's start
-///   Csv      first column __time [s since 1970]: PlotJuggler, pandas
+///   Csv      first column __time [s since 1970]: PlotJuggler, pandas; columns: csv_exporter.cpp
 ///   Mcap     JSON messages with schemas, in indexed chunks: Foxglove, Lichtblick, PlotJuggler
 enum class ExportFormat : std::uint8_t { Candump, Asc, Csv, Mcap };
 std::optional<ExportFormat> exportFormatFromName(std::string_view text);

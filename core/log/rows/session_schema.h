@@ -10,15 +10,15 @@
 namespace terratact {
 
 // Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them. Readers
-// refuse any other schema.
+// refuse any other schema. A damaged file is saved by session_salvage.h.
 
-inline constexpr std::int64_t kSessionVersion = 6;
 /// Version 1 does not record how a bin was touched; all its forces and currents count as measured.
 /// Versions 1 and 2 hold phases, failures and causes of disarming as English texts
 /// (core/log/rows/recorded_words.h), and no messages. Versions 1 to 3 hold only the means of left and right
 /// forces in a scene, and no differential. Their probes are of the middle alone, their estimates of
 /// one plane. Versions 1 to 4 hold no memory of the way, and no networks that use it. Versions 1 to
 /// 5 hold what was on the screen in English only.
+inline constexpr std::int64_t kSessionVersion = 6;
 inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {
