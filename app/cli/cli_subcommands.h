@@ -17,8 +17,8 @@ using Job = std::function<Status()>;
 
 /// Adds simulate.
 void addSimulate(CLI::App& app, Job& job);
-/// Adds simulate, train, reconstruct, evaluate, hazards, strip, feel-forward, merge, tradeoff. words: arguments after the program's name;
-/// models and parts store them.
+/// Adds simulate, train, reconstruct, evaluate, hazards, strip, feel-forward, merge, tradeoff. words: arguments after
+/// the program's name; models and parts store them.
 void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words);
 /// Adds contacts, probes, calibrate, model, which assess measurements and models.
 void addInspection(CLI::App& app, Job& job);

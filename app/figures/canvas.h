@@ -94,8 +94,8 @@ Status writePicture(const std::string& path, int width, int height,
 using PageDrawing = std::function<void(Canvas&)>;
 
 /// Writes pages of one size as PDF. width, height: [px] at 150 px per inch. layout: gets a canvas that measures texts
-/// and returns the pages. The file names no time, so the same pages and fonts give the same bytes. It is written under a
-/// temporary name and renamed. Errors name the file.
+/// and returns the pages. The file names no time, so the same pages and fonts give the same bytes. It is written under
+/// a temporary name and renamed. Errors name the file.
 Status writePages(const std::string& path, int width, int height, const std::string& title,
                   const std::function<std::vector<PageDrawing>(Canvas& measuring)>& layout);
 

@@ -10,7 +10,8 @@
 namespace terratact {
 
 // Figures are PNG or SVG by the file ending, written under a temporary name and renamed. They are 1200 × 700 px, or
-// 1800 × 700 px for more than five series. `write` writes the file instead. Methods have strong colours; baselines are grey and hollow.
+// 1800 × 700 px for more than five series. `write` writes the file instead. Methods have strong colours; baselines are
+// grey and hollow.
 
 /// Draws the paper's Fig. 8: the share of errors in each class of |error|, one bar per label. Throws
 /// std::invalid_argument for no histograms or histograms of different classes.

@@ -10,7 +10,8 @@ namespace terratact {
 
 class Canvas;
 
-/// Returns an untrusted text for HTML: one line without characters that printable() refuses, with < > & " ' as entities.
+/// Returns an untrusted text for HTML: one line without characters that printable() refuses, with < > & " ' as
+/// entities.
 std::string htmlText(std::string_view text);
 
 /// Returns the head of a page without scripts and without links to other files, up to its <body>. style: CSS that is

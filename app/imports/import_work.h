@@ -15,8 +15,8 @@
 
 namespace terratact {
 
-/// Reads a recording of another program in a thread of its own: one job at a time; a new one cancels the former. The destructor
-/// cancels. GUI thread only; the signals arrive there.
+/// Reads a recording of another program in a thread of its own: one job at a time; a new one cancels the former. The
+/// destructor cancels. GUI thread only; the signals arrive there.
 class ImportWork final : public QObject {
     Q_OBJECT
 public:

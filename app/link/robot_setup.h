@@ -15,8 +15,8 @@ struct RobotGround {
     double start = 0.0;  ///< [m] start position
 };
 
-/// Returns the ground. terrain: a file of profiles or ground lines (its first ground is used), or "varied" for random terrain of the seed.
-/// An empty terrain gives the built-in step with a run-up.
+/// Returns the ground. terrain: a file of profiles or ground lines (its first ground is used), or "varied" for random
+/// terrain of the seed. An empty terrain gives the built-in step with a run-up.
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed);
 
 /// Adds a fault given as text: "silence", or "silence@12.5" for 12.5 s after the start. Sensor faults are read by

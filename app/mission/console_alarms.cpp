@@ -26,8 +26,8 @@ bool comesAndGoes(BusState state)
         || state == BusState::ErrorPassive;
 }
 
-/// Returns "left 3 open, right 1 short"; nothing if all are usable. Saturated elements are pressed hard and are shown by
-/// the bars.
+/// Returns "left 3 open, right 1 short"; nothing if all are usable. Saturated elements are pressed hard and are shown
+/// by the bars.
 std::optional<Message> unsoundElements(const ElementForces& forces)
 {
     std::vector<Message> unsound;

@@ -41,7 +41,8 @@ struct ModelInUse {
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
 /// readings. Before the scene it gives live previews while the flippers move down. It enters
 /// every estimate into the strip of felt ground, which it follows along telemetry. The method trail gets what the way
-/// before the scene tells; without that, local estimates. The worker computes; answers to outdated requests are dropped. GUI thread only.
+/// before the scene tells; without that, local estimates. The worker computes; answers to outdated requests are
+/// dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:
@@ -59,8 +60,8 @@ public:
     void poll(const std::optional<Received>& latest, bool telemetryFresh);
     /// Prepares the model's Gaussian processes for an exploration while the worker is idle.
     void prepare();
-    /// Makes a preview with the local method, or trail, as often as the worker keeps up with telemetry. It stays until a preview
-    /// fails, an estimate is ready, or endPreview().
+    /// Makes a preview with the local method, or trail, as often as the worker keeps up with telemetry. It stays until
+    /// a preview fails, an estimate is ready, or endPreview().
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
     /// Captures a scene and estimates it. The scene is the first sample of the press, so that every console captures
@@ -124,8 +125,8 @@ public:
     /// Returns true if the next estimate of such a line may be of both sides: roll and different flippers are then no
     /// reason for doubt.
     bool estimatesBothSides(const Measurement& line) const;
-    /// Returns the ground felt along the way, as seen from the newest telemetry; empty while that is missing. It affects
-    /// no decision.
+    /// Returns the ground felt along the way, as seen from the newest telemetry; empty while that is missing. It
+    /// affects no decision.
     SeenStrip remembered() const;
     /// Returns why nothing is remembered here; empty: there is something, or nothing was felt yet.
     std::optional<Message> whyNothingRemembered() const;

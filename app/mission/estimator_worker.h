@@ -51,7 +51,8 @@ struct LoadedModel {
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
-/// Returns a loader of a model file and of the networks beside it (trailBeside()). The Gaussian processes of sampling methods are factorised on first use.
+/// Returns a loader of a model file and of the networks beside it (trailBeside()). The Gaussian processes of sampling
+/// methods are factorised on first use.
 ModelLoader modelFileLoader(std::string path, RobotModel robot);
 
 /// Loads the model and estimates in its own thread. The newest request replaces and cancels the running one. Every

@@ -47,7 +47,8 @@ public:
         double staleAfter =
             kStaleAfter;  ///< [s] older telemetry is stale: no verdict, nothing remembered
         double probeSeconds = 45.0;  ///< expected duration of a probe, shown to the operator
-        /// Ground file of the simulated robot, or "" for the built-in step or random ground; std::nullopt: a real robot.
+        /// Ground file of the simulated robot, or "" for the built-in step or random ground; std::nullopt: a real
+        /// robot.
         std::optional<std::string> groundFile;
     };
 
@@ -58,8 +59,8 @@ public:
     // Actions of the operator.
     void request();
     void abort();
-    /// Begins feel forward: explores, advances by 0.1 m and explores again, until letGo() or something ends it. The caller
-    /// is a dead-man control: it calls letGo() for any reason that ends the hold.
+    /// Begins feel forward: explores, advances by 0.1 m and explores again, until letGo() or something ends it. The
+    /// caller is a dead-man control: it calls letGo() for any reason that ends the hold.
     void feelForward();
     void letGo();  ///< halts feel forward at once; does nothing otherwise
     /// Overrides the present doubtful preconditions. Each override ends when its reason ends or grows.
@@ -68,8 +69,8 @@ public:
     void refuse(quint64 proposal);
     void choose(quint64 proposal,
                 ProbePlace place);  ///< proposes another place of the ranking instead
-    /// Requests a probe of this place, whatever the advice. It replaces the current proposal, or starts a new exploration
-    /// at this pose that proposes it. Approval is needed as for any other probe.
+    /// Requests a probe of this place, whatever the advice. It replaces the current proposal, or starts a new
+    /// exploration at this pose that proposes it. Approval is needed as for any other probe.
     void askProbe(ProbePlace place);
     /// Returns why request() has no effect, or what must be overridden first; empty: it is allowed.
     std::optional<Message> whyNotExploring() const;
@@ -88,8 +89,8 @@ public:
     void setDriveSpeed(std::optional<double> speed);
     void drive(int direction);  ///< starts as soon as the robot has ended its exploration
     void halt();                ///< ends drive(); does nothing otherwise
-    /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that. The path
-    /// from the key to the frame stands in exploration_stop.cpp.
+    /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that. The
+    /// path from the key to the frame stands in exploration_stop.cpp.
     void stop();
     void stopFrom(const Message& where);  ///< the same, with a text about the origin of the press
     void releaseStop();

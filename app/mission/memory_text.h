@@ -23,7 +23,8 @@ Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory
 /// Nothing is added before the first such touch.
 Message withLedger(const Message& words, const StripLedger& ledger);
 
-/// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt yet.
+/// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt
+/// yet.
 std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh);
 
 }  // namespace terratact

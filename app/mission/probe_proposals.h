@@ -19,8 +19,8 @@ struct ProbeBasis {
     ProbePolicy policy;
 };
 ProbeProposal describeProbe(const ProbeBasis& basis, ProbePlace place);  ///< the result has id 0
-/// Returns the place most worth probing, whether or not it is proposed. Without a ranking it is the unread place in reach
-/// with the largest sd. Empty: no place is left.
+/// Returns the place most worth probing, whether or not it is proposed. Without a ranking it is the unread place in
+/// reach with the largest sd. Empty: no place is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
 /// Makes the probe proposals, one at a time, each with its own id. A proposal has the bin's estimate, the gain of

@@ -13,8 +13,9 @@ namespace terratact {
 ///   p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
 /// height_m: point estimate to show; p_step: probability that this bin and the next differ by more than kStepLimit;
 /// p_step_sd: its Monte-Carlo error; two_modes: 1 if the draws are bimodal; draws, ending: number of draws and why
-/// sampling ended (Ending); horizon_m: the felt horizon (Verdict::feltTo); note: the result's warnings. An empty field means no estimate (with the reason in the
-/// note), no ceiling, or unknown truth. Throws std::invalid_argument unless scenes and estimates have the same size.
+/// sampling ended (Ending); horizon_m: the felt horizon (Verdict::feltTo); note: the result's warnings. An empty field
+/// means no estimate (with the reason in the note), no ceiling, or unknown truth. Throws std::invalid_argument unless
+/// scenes and estimates have the same size.
 std::string estimateCsv(const std::vector<Scene>& scenes,
                         const std::vector<SceneEstimate>& estimates);
 

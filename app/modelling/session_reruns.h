@@ -93,7 +93,8 @@ public:
     /// which odometry is continuous.
     RerunLedgers laterPoses(SessionReader& session) const;
 
-    /// Returns one CSV line per bin, side and rerun, below a header. `side` is "both" if both estimates are of one plane.
+    /// Returns one CSV line per bin, side and rerun, below a header. `side` is "both" if both estimates are of one
+    /// plane.
     std::string csv() const;
 
 private:

@@ -11,7 +11,8 @@ class KeyTable;
 /// The key of the page, in the console and in a review.
 inline constexpr Qt::Key kPlotsKey = Qt::Key_Y;
 
-/// The page of the plots. The same panel is the dock below all other pages, if that is wanted: both show the same plots.
+/// The page of the plots. The same panel is the dock below all other pages, if that is wanted: both show the same
+/// plots.
 class PlotsPage final : public Page {
     Q_OBJECT
 public:

@@ -13,8 +13,8 @@ enum class PictureColours : std::uint8_t {
     AsShown  ///< of the window; nothing in it changes, as a driving console needs
 };
 
-/// Saves the terrain's picture in the format of the file suffix: png, svg, pdf. Returns an error text; empty: the file was
-/// written.
+/// Saves the terrain's picture in the format of the file suffix: png, svg, pdf. Returns an error text; empty: the file
+/// was written.
 QString savePicture(TerrainProfileView& terrain, const QString& path,
                     PictureColours colours = PictureColours::Paper);
 

@@ -25,8 +25,8 @@ struct EstimateFacts {
 std::array<std::optional<Heights>, 2> truthOf(bool onePlane, const std::optional<Heights>& plane,
                                               const std::optional<std::array<Heights, 2>>& sides);
 
-/// Returns the signals of an estimate: P(step), standard deviations, errors where the truth is known, the height of each
-/// bin. Their order is fixed.
+/// Returns the signals of an estimate: P(step), standard deviations, errors where the truth is known, the height of
+/// each bin. Their order is fixed.
 std::span<const PlotSignal> estimateSignals();
 
 /// Returns the values of estimateSignals(); empty ones are not known.

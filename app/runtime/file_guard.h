@@ -19,9 +19,10 @@ struct CommandFiles {
     Paths updates;  ///< files written although they are companions of an input
 };
 
-/// Checks that no written file is an input, another output, write-protected, a recorded session, or a symbolic link. Two names are the
-/// same file if they have the same device and inode, through any symbolic or hard link. Names of missing files are
-/// compared by the path they lead to. Standard output that is a file counts as written. Errors name both files.
+/// Checks that no written file is an input, another output, write-protected, a recorded session, or a symbolic link.
+/// Two names are the same file if they have the same device and inode, through any symbolic or hard link. Names of
+/// missing files are compared by the path they lead to. Standard output that is a file counts as written. Errors name
+/// both files.
 Status checkCommandFiles(const CommandFiles& files);
 
 /// Returns the companions of a session or model, existing or not.

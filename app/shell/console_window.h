@@ -47,8 +47,8 @@ public:
     int bannersHeight() const;  ///< [px] height that shown banners take from the pages
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
     void putBelowHeader(QWidget& other);
-    /// Returns the room [px] for such a window, without its desktop frame. Ends the fitting of the font first, because the
-    /// header changes its height then.
+    /// Returns the room [px] for such a window, without its desktop frame. Ends the fitting of the font first, because
+    /// the header changes its height then.
     QSize roomBelowHeader();
     /// Shows a widget below all pages while the window has height to spare. No page gets smaller
     /// than it needs; null: nothing. Its former parent gives it away.

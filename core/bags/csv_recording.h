@@ -12,7 +12,8 @@ inline constexpr const char* kCsvTopic = "/csv";
 
 /// Opens a CSV file of a time series: a line with the names of the columns, then a row for each time. A
 /// field that is no number is a text. The unit of times is that of `time`, that in the name of the
-/// column, or timeUnitOf() the first rows; the last is remarked where the steps alone show it. Errors name the file, and the line or the missing column.
+/// column, or timeUnitOf() the first rows; the last is remarked where the steps alone show it.
+/// Errors name the file, and the line or the missing column.
 Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path,
                                                     const CsvTime& time = {});
 

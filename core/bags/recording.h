@@ -25,8 +25,8 @@ struct RecordedMessage {
     std::string_view data;
 };
 
-/// Called with the place of each message that is read, and whether it counts bytes. An exception that it throws ends the
-/// reading, as cancellation does.
+/// Called with the place of each message that is read, and whether it counts bytes. An exception
+/// that it throws ends the reading, as cancellation does.
 using RecordingWatch = std::function<void(std::uint64_t place, bool isByte)>;
 
 /// Topics of timed messages in a file of another program. Nothing in the file is trusted. A file

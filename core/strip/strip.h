@@ -69,10 +69,11 @@ struct StripTouch {
 /// Ground felt along the driven path: bins of 0.1 m in an odometry frame, left and right. Every finished estimate is
 /// entered at the pose of its scene. The ground that it shares with the strip first corrects the odometry since the
 /// scene before (strip_match.h). Where it tells of a bin that an earlier estimate told of, `fusion` decides. The errors
-/// of successive estimates are one error, so their agreement is no further evidence. If the two contradict each other by
-/// more than kContradiction sd, the newer one stands. A bin keeps the moment at which it was felt. Seen from the robot,
-/// its sd grows with the way since then. A break begins a new section: nothing is joined over it. Ground that is touched
-/// again scores what was said of it (ledger()).
+/// of successive estimates are one error, so their agreement is no further evidence. If the two
+/// contradict each other by more than kContradiction sd, the newer one stands. A bin keeps the
+/// moment at which it was felt. Seen from the robot, its sd grows with the way since then. A break
+/// begins a new section: nothing is joined over it. Ground that is touched again scores what was
+/// said of it (ledger()).
 class Strip {
 public:
     static constexpr double kContradiction = 3.0;
@@ -108,8 +109,9 @@ public:
                         const WayPose& pose) const;
     /// Returns why nothing is seen: the last break, until an estimate is entered. Empty: something is seen.
     std::optional<SectionStart> whyNothing() const;
-    /// Returns the touches of the last scene on ground that the strip tells of, before its estimate is entered. What was
-    /// said is seen from the scene's pose by odometry alone. Neither that pose nor the band uses the scene.
+    /// Returns the touches of the last scene on ground that the strip tells of, before its estimate
+    /// is entered. What was said is seen from the scene's pose by odometry alone. Neither that pose
+    /// nor the band uses the scene.
     ///   Contact  height from the scene's readings alone (scene_contacts.h), with Settings::contactSd
     ///   Pass     bins on which the tracks stand, with the estimate's height and sd. An estimate by Trail also knows
     ///            earlier readings, so it is a less independent judge.

@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// A bin of a strip as a point. Frame of its section: x forward and y left of the IMU of the section's first scene, z up
-/// along gravity [m].
+/// A bin of a strip as a point. Frame of its section: x forward and y left of the IMU of the
+/// section's first scene, z up along gravity [m].
 struct StripPoint {
     double x = 0.0, y = 0.0, z = 0.0;
     std::size_t section = 0;  ///< index in Strip::sections()

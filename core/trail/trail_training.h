@@ -56,7 +56,8 @@ struct TrailOptions {
 
 /// Trains the networks on all drives but every kErrorDrives-th, whose scenes with all heights give the errors. sides:
 /// rows of both sides. sideBySide: runs the networks' trainings in parallel; empty: one after the other. The
-/// result is the same. Throws std::invalid_argument for too few rows, or too few scenes with all heights for the errors.
+/// result is the same. Throws std::invalid_argument for too few rows, or too few scenes with all
+/// heights for the errors.
 TrailNetworks trainTrail(const TrailRows& rows, bool sides, const TrailOptions& options,
                          const ForEach& sideBySide = {}, const Poll& poll = {});
 

@@ -23,8 +23,8 @@ struct ElementForces {
 /// Returns the frames of a line that the robot sends beyond those of every robot.
 LineExtent lineExtent(const RobotModel& robot);
 
-/// Converts the voltages of a line to forces. The elements of rear flippers have no bias. A received voltage becomes a force only here, once
-/// per line.
+/// Converts the voltages of a line to forces. The elements of rear flippers have no bias. A
+/// received voltage becomes a force only here, once per line.
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
 /// Converts a line of sensors, its elementForces() and its status to a Measurement. The forces of

@@ -1,5 +1,5 @@
-// Fuzzes point clouds and poses: PCD, PLY, text, TUM and CSV by their content. Blocks are bounded, points are finite, and
-// messages about a file are one line.
+// Fuzzes point clouds and poses: PCD, PLY, text, TUM and CSV by their content. Blocks are bounded, points are finite,
+// and messages about a file are one line.
 #include <cmath>
 #include <cstdint>
 

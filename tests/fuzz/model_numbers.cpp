@@ -1,7 +1,7 @@
 // Fuzzes the numbers of a model. In the first byte, the lowest two bits select the number of training rows. The next
-// bit sends the model through a file, the next one makes a height unknown; the highest two bits select the method. Then each 10 bytes change one number (two
-// select it, eight are its value). An accepted model survives a file. It estimates a terrain with finite numbers, or
-// says why it cannot.
+// bit sends the model through a file, the next one makes a height unknown; the highest two bits select the method. Then
+// each 10 bytes change one number (two select it, eight are its value). An accepted model survives a file. It estimates
+// a terrain with finite numbers, or says why it cannot.
 #include <algorithm>
 #include <array>
 #include <bit>

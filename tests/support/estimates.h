@@ -40,8 +40,8 @@ inline TerrainEstimate probedEstimate()
     return e;
 }
 
-/// Returns an estimate of two sides: stepEstimate() at the left, felt to its last bin, and even ground at −0.25 m at the
-/// right. The right side is not felt at 0.7 m.
+/// Returns an estimate of two sides: stepEstimate() at the left, felt to its last bin, and even ground at −0.25 m at
+/// the right. The right side is not felt at 0.7 m.
 inline TwoTrackEstimate leftStepEstimate()
 {
     TwoTrackEstimate e{.side = {stepEstimate(), stepEstimate()}, .onePlane = false};
@@ -60,8 +60,8 @@ inline TwoTrackEstimate leftStepEstimate()
     return e;
 }
 
-/// Returns an estimate of even ground at −0.25 m that is felt up to bin 0.5, with draws. The verdict is CLEAR to +0.55 m.
-/// The sd of bin 0.6 exceeds the probe threshold.
+/// Returns an estimate of even ground at −0.25 m that is felt up to bin 0.5, with draws. The verdict is CLEAR to +0.55
+/// m. The sd of bin 0.6 exceeds the probe threshold.
 inline TerrainEstimate clearEstimate()
 {
     TerrainEstimate e;

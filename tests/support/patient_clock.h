@@ -16,8 +16,8 @@ namespace terratact {
 
 /// The machine's clock, but never further than kMostAhead past the time that each of its threads read last. A busy
 /// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
-/// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone. While
-/// it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
+/// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone.
+/// While it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
 class PatientClock {
 public:
     /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn

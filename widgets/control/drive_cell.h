@@ -16,8 +16,8 @@ namespace terratact {
 enum class DriveDetail : std::uint8_t { Limits, Words, Short };
 
 /// A value of the drive strip under its caption: a number, an angle with its gauge, or contacts with their map. A level
-/// fills the cell. It paints itself, because labels with a style sheet cost a change of letters its time. Screen readers
-/// get the name and the description. Takes values, emits nothing.
+/// fills the cell. It paints itself, because labels with a style sheet cost a change of letters its time. Screen
+/// readers get the name and the description. Takes values, emits nothing.
 class DriveCell final : public QWidget {
     Q_OBJECT
 public:

@@ -28,8 +28,9 @@ public:
 
     explicit ProfileAxes(QwtPlot& plot);
 
-    /// Shows `zoom` times the extent in x, shifted forward by `shift` [m]. Below a zoom of 1 the heights are shown close
-    /// up, too, shifted upwards by `rise` [m]. Takes effect with fit(), which keeps them within the whole picture.
+    /// Shows `zoom` times the extent in x, shifted forward by `shift` [m]. Below a zoom of 1 the heights are shown
+    /// close up, too, shifted upwards by `rise` [m]. Takes effect with fit(), which keeps them within the whole
+    /// picture.
     void setWindow(double zoom, double shift, double rise = 0.0)
     {
         zoom_ = zoom;

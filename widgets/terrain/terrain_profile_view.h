@@ -57,14 +57,14 @@ struct ArmTip {
 /// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is. Bins differ
 /// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
 /// triangle, sampled = circle, prior only = open diamond in an amber zone. A mark is filled where the bin was felt, its
-/// lower half where it was felt in part, else open. Letters mark the bins where the legend has no room. A bin with bimodal draws shows both heights.
-/// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
-/// side's line is hollow, and letters stand at their ends.
+/// lower half where it was felt in part, else open. Letters mark the bins where the legend has no room. A bin with
+/// bimodal draws shows both heights. Of two sides, one is drawn in full and the other one lighter, beside it. The right
+/// side's line is solid, the left side's line is hollow, and letters stand at their ends.
 /// The wheel, + and − zoom. Dragging and Shift with an arrow key pan. A double click or 0 shows the robot again. Two
 /// fingers zoom and pan, a resting one shows a bin in detail. Remembered ground (remembered_layer.h) reaches beyond the
 /// picture.
-/// While measuring, a drag sets two points. Their distance, rise and slope are shown, with the bands of both heights, or
-/// that one is not felt (measured_line.h). The arrow keys move the second point from bin to bin.
+/// While measuring, a drag sets two points. Their distance, rise and slope are shown, with the bands of both heights,
+/// or that one is not felt (measured_line.h). The arrow keys move the second point from bin to bin.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {
@@ -103,8 +103,8 @@ public:
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     /// Of two sides it is that of the side in full.
     void setSecond(const std::optional<TwoTrackEstimate>& estimate, const QString& name);
-    /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason shown
-    /// if nothing is remembered; empty: nothing.
+    /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason
+    /// shown if nothing is remembered; empty: nothing.
     void setRemembered(const SeenStrip& strip, const QString& why = {});
     /// Shows `factor` times the width, with x [m] at its place. From two bins to the whole strip can be seen.
     void zoom(double factor, double x);
@@ -121,9 +121,9 @@ public:
     /// Mutes the drawing, which is `age` [s] old, and writes that age over it; empty: it is current.
     void setStale(std::optional<double> age);
 
-    /// Shows a small widget in the upper left corner of the canvas, beside the bins. Where there is no room beside them,
-    /// it gets its minimum size above the robot. It leaves where it would cover a note, or anything drawn. The view takes
-    /// ownership.
+    /// Shows a small widget in the upper left corner of the canvas, beside the bins. Where there is no room beside
+    /// them, it gets its minimum size above the robot. It leaves where it would cover a note, or anything drawn. The
+    /// view takes ownership.
     void setCorner(QWidget* corner);
 
     /// Returns the canvas position of a point in the DEM frame [m].

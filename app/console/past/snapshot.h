@@ -24,8 +24,8 @@ struct SnapshotFiles {
     QString name() const;  ///< without the folder
 };
 
-/// Returns the files of a snapshot at a time (UTC). They lie beside the session; where no session records (an empty path),
-/// in the operator's folder of pictures. No file of those names exists.
+/// Returns the files of a snapshot at a time (UTC). They lie beside the session; where no session records (an empty
+/// path), in the operator's folder of pictures. No file of those names exists.
 SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc);
 
 /// Writes snapshots, one at a time, in a thread of its own: a picture takes longer than a frame of the console, and a

@@ -25,8 +25,8 @@ public:
     GamepadReader(std::unique_ptr<Gamepad> gamepad, MeasurementSource& source,
                   Clock clock = steadyNow);
 
-    /// Returns the newest state. A state that is older than kFreshFor at `now` [s], of that clock, is returned as a lost
-    /// gamepad.
+    /// Returns the newest state. A state that is older than kFreshFor at `now` [s], of that clock, is returned as a
+    /// lost gamepad.
     GamepadState latest(double now) const;
 
     /// Sets the buttons of STOP, and whether this console may send it.

@@ -102,8 +102,8 @@ inline constexpr double kSlowestPad = 0.02, kFastestPad = GateLimits{}.speed;  /
 /// pulled trigger counts as released below 0.4, so that it does not flutter. A stick's axis is never on.
 bool isOn(const PadControl& control, const GamepadState& state, bool was);
 
-/// Returns the speed [m/s] of the stick: 0 within the dead zone, from there linearly to the limit at full deflection. It
-/// is a multiple of kPadSpeedStep, and at least one step outside the dead zone. NaN counts as centred.
+/// Returns the speed [m/s] of the stick: 0 within the dead zone, from there linearly to the limit at full deflection.
+/// It is a multiple of kPadSpeedStep, and at least one step outside the dead zone. NaN counts as centred.
 double speedOf(const PadStick& stick, const GamepadState& state, const PadSettings& settings);
 inline constexpr double kPadSpeedStep = 0.005;  ///< [m/s]
 

@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-// Texts with time and error of each preset, in the order of kQualityPresets, for a method. The texts say if a preset was not
-// measured.
+// Texts with time and error of each preset, in the order of kQualityPresets, for a method. The texts say if a preset
+// was not measured.
 
 QStringList presetLines(Method method, std::span<const PresetCost> costs);    ///< one sentence each
 QStringList presetEntries(Method method, std::span<const PresetCost> costs);  ///< short texts

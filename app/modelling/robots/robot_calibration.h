@@ -32,9 +32,9 @@ struct RobotCalibration {
 
 /// Fits the parameters to poses on a flat, level floor. Bayesian least squares: the file's numbers are known to 3 cm
 /// (flippers), 2 cm (track), 3 mm (tips) and 0.1 rad (sensors) beforehand. Observed are pitch and roll, and that the
-/// tip of a flipper with at least 1 A touches the floor. Poses that lie off by more than four times the scatter are left out. Sds are enlarged
-/// where the poses scatter more than their noise. The scale is that of the file's pivots. Errors: fewer than three
-/// poses; most poses do not fit.
+/// tip of a flipper with at least 1 A touches the floor. Poses that lie off by more than four times the scatter are
+/// left out. Sds are enlarged where the poses scatter more than their noise. The scale is that of the file's pivots.
+/// Errors: fewer than three poses; most poses do not fit.
 Result<RobotCalibration> calibrateRobot(const RobotModel& robot,
                                         const std::vector<StandingPose>& poses);
 

@@ -41,22 +41,23 @@ struct HazardScene {
     std::vector<double> contacts;  ///< x of every contact force [m], DEM frame, ascending
 };
 
-/// Returns the random ground of driveTowards(): the hazard between kHazardBegin and kHazardEnd, or none, and the ground's
-/// roughness. A soft layer is not part of it.
+/// Returns the random ground of driveTowards(): the hazard between kHazardBegin and kHazardEnd, or none, and the
+/// ground's roughness. A soft layer is not part of it.
 TerrainProfile hazardProfile(const HazardGround& ground, std::optional<Hazard> hazard,
                              std::mt19937_64& rng);
 /// Returns the random ground of driveTracksTowards().
 GroundLines hazardLines(const RobotModel& robot, const HazardGround& ground,
                         std::optional<Hazard> hazard, bool onBothSides, std::mt19937_64& rng);
 
-/// Drives once over random ground (core/sim/ground/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach from 1
-/// m before the earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.
+/// Drives once over random ground (core/sim/ground/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach
+/// from 1 m before the earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness
+/// alone.
 std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
                                       std::optional<Hazard> hazard, PressStyle style,
                                       std::mt19937_64& rng);
 
-/// Returns the same of two tracks: scenes with exact truth of both sides. The hazard lies on one side, chosen at random,
-/// or on both. Roughness is correlated between the lines (core/sim/ground/random_ground.h).
+/// Returns the same of two tracks: scenes with exact truth of both sides. The hazard lies on one side, chosen at
+/// random, or on both. Roughness is correlated between the lines (core/sim/ground/random_ground.h).
 std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const HazardGround& ground,
                                               std::optional<Hazard> hazard, bool onBothSides,
                                               PressStyle style, std::mt19937_64& rng);

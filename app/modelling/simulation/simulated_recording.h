@@ -19,7 +19,8 @@ struct RecordedStop {
     TwoTrackReadings s;  ///< with pressed flippers
 };
 
-/// Adds a file of stops to `files`, as a robot with ROS would record them: an MCAP file of JSON messages at 20 Hz with the members of
+/// Adds a file of stops to `files`, as a robot with ROS would record them: an MCAP file of JSON messages at 20 Hz with
+/// the members of
 ///   /imu/data       sensor_msgs/Imu: orientation
 ///   /joint_states   sensor_msgs/JointState: flipper_fl, _fr, _rl, _rr; position [rad], front ones negative upwards;
 ///                   effort [N m] of one motor, pressing down positive

@@ -92,8 +92,8 @@ struct TrainingWatch {
 };
 
 /// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on
-/// the same machine. Bins exclude tracks and generated scenes: std::invalid_argument. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
-/// watch.cancelled() returns true.
+/// the same machine. Bins exclude tracks and generated scenes: std::invalid_argument. Errors name the file and, if
+/// known, the line. Throws Cancelled (core/infer/sampling/watch.h) once watch.cancelled() returns true.
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch = {});
 
 }  // namespace terratact

@@ -68,8 +68,8 @@ struct FeelForwardLine {
     FeelForwardCounts counts;
 };
 
-/// Drives all drives on all cores. Rows: one plane and two tracks by hazard, then each ground, then all. Two tracks only
-/// if the model has them.
+/// Drives all drives on all cores. Rows: one plane and two tracks by hazard, then each ground, then all. Two tracks
+/// only if the model has them.
 std::vector<FeelForwardLine> tryFeelForward(const EstimatorBundle& bundle,
                                             const FeelForwardTrial& trial);
 

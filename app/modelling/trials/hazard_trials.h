@@ -32,8 +32,8 @@ struct HazardLine {
 };
 
 /// Drives the simulated robot over ground outside the training data (core/sim/ground/hazard_terrain.h). Every 0.1 m it
-/// estimates a scene, checks the estimate against the readings and judges its verdict. The grounds are kHazardGrounds. Rows are ordered by press style, ground,
-/// hazard and rate; the console's press is tried with the last rate alone.
+/// estimates a scene, checks the estimate against the readings and judges its verdict. The grounds are kHazardGrounds.
+/// Rows are ordered by press style, ground, hazard and rate; the console's press is tried with the last rate alone.
 std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial);
 
 /// Returns a table for the terminal: rows of one rate by ground and hazard, totals per rate and press style.

@@ -67,7 +67,8 @@ struct LaserTruth {
     /// Scenes of the file in its order with heights of the cloud; those of two tracks, or of one plane.
     std::vector<TwoTrackScene> tracks{};
     std::vector<Scene> plane{};
-    /// Of a file of drives: every line. Their scenes are the scenes above, in this order; their heights are not kept up.
+    /// Of a file of drives: every line. Their scenes are the scenes above, in this order; their heights are not kept
+    /// up.
     std::vector<DriveLines> drives{};
     std::vector<SceneTruth> truths{};
     std::optional<SceneGrid> grid{};

@@ -20,8 +20,8 @@ inline constexpr std::size_t kMaxTruthScenes = 20'000;
 /// Makes a truth file (SQLite, docs/truth.md): the robot, and every scene with its heights. It
 /// also holds why heights are missing, and the cells of each scene's cloud, from which heights and
 /// slices can be sampled again. The cells of all scenes have at most SceneGrid::kMaxSamples heights of
-/// 4 bytes. robotFile: read again. The file is complete under a temporary name: commit() renames it. Errors name the file:
-/// too many scenes, or what SQLite and file_write.h refuse.
+/// 4 bytes. robotFile: read again. The file is complete under a temporary name: commit() renames it. Errors name the
+/// file: too many scenes, or what SQLite and file_write.h refuse.
 Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
                              const std::string& robotFile);
 /// Writes the same file at once.

@@ -27,8 +27,8 @@ std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<
 std::string ledgerText(const StripLedger& ledger);
 
 /// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]
-/// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1 right),
-/// felt (order of FeltBy), section. Each section has a frame of its own. section: as above.
+/// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1
+/// right), felt (order of FeltBy), section. Each section has a frame of its own. section: as above.
 std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
 }  // namespace terratact

@@ -20,8 +20,8 @@ struct PreferenceChange {
     bool isSafety = false;
 };
 
-/// Returns every changed preference, the safety-relevant ones first; of the gamepad, a change per action. Long texts are
-/// shortened where they agree, so that their first difference is always seen. The window's place is left out.
+/// Returns every changed preference, the safety-relevant ones first; of the gamepad, a change per action. Long texts
+/// are shortened where they agree, so that their first difference is always seen. The window's place is left out.
 std::vector<PreferenceChange> changesBetween(const Preferences& before, const Preferences& now);
 
 }  // namespace terratact

@@ -116,14 +116,14 @@ inline constexpr double kArmSpan = kBinWidth;  // kFeltCells cells
 FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate);
 
 /// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.
-/// Of each, every cell was felt `earlier` or is felt `now`, or the arm joins it (joinedByArm()). Nothing changes unless an element ahead
-/// carries load now: memory alone carries no verdict. The caller answers for `earlier`: the estimate
-/// knows the heights that were felt.
+/// Of each, every cell was felt `earlier` or is felt `now`, or the arm joins it (joinedByArm()).
+/// Nothing changes unless an element ahead carries load now: memory alone carries no verdict. The
+/// caller answers for `earlier`: the estimate knows the heights that were felt.
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now);
 
 /// Writes estimate.touch and estimate.feltTo. A bin of the arm is FeltInPart. Bins ahead whose cells
-/// the arm's points join (joinedByArm()) are Felt. A bin behind the front pivot is Felt if ceiling − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the
-/// robot there.
+/// the arm's points join (joinedByArm()) are Felt. A bin behind the front pivot is Felt if ceiling
+/// − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the robot there.
 void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed);
 
 }  // namespace terratact

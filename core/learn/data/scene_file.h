@@ -23,14 +23,15 @@ struct SceneFile {
 /// any order:
 ///   run,t_s,pitch_rad,front_rad,rear_rad,front_current_a,rear_current_a,
 ///   force_1_n … force_6_n,h_-0.3_m,h_-0.2_m,…,h_+0.0_m,…,h_+0.7_m,sd_-0.3_m … sd_+0.7_m
-/// The h columns may be missing. So may the sd columns: the sd of each height, empty where it is exact. An empty field, NaN, NA and so on mean unknown, which currents,
-/// forces and heights may be. Unknown columns are ignored with a notice; a last line without its
-/// line end is also noticed. A line of units below the header is skipped if the units are right.
-/// Errors name file, line and cause. Causes: missing, duplicate or misspelt columns, wrong numbers,
-/// other units, a wrong number of fields, an empty file. Infinity is refused, and NaN where a value
-/// must be known. Limits are ±5 m for heights, ±π for angles, 0 … 1000 N for forces and ±100 A for
-/// currents. More than kMaxScenes scenes are refused, and so is what CsvReader refuses. The file is
-/// read once, so that it may be a pipe.
+/// The h columns may be missing. So may the sd columns: the sd of each height, empty where it is
+/// exact. An empty field, NaN, NA and so on mean unknown, which currents, forces and heights may
+/// be. Unknown columns are ignored with a notice; a last line without its line end is also noticed.
+/// A line of units below the header is skipped if the units are right. Errors name file, line and
+/// cause. Causes: missing, duplicate or misspelt columns, wrong numbers, other units, a wrong
+/// number of fields, an empty file. Infinity is refused, and NaN where a value must be known.
+/// Limits are ±5 m for heights, ±π for angles, 0 … 1000 N for forces and ±100 A for currents. More
+/// than kMaxScenes scenes are refused, and so is what CsvReader refuses. The file is read once, so
+/// that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 
 /// Reads scenes from an open CSV, as readScenes().

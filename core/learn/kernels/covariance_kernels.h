@@ -41,9 +41,9 @@ struct KernelPoll {
 /// Approximate number of a kernel's multiplications between two polls.
 inline constexpr long kKernelMultiplications = 1L << 25;
 
-/// Hot loops of prediction, compiled for several instruction sets from one source by Highway. All pointers must be 64-byte aligned. A column's result does not
-/// depend on its neighbours. AVX-512 and AVX2 give the same bits, because both use fused products
-/// in the same order.
+/// Hot loops of prediction, compiled for several instruction sets from one source by Highway. All
+/// pointers must be 64-byte aligned. A column's result does not depend on its neighbours. AVX-512
+/// and AVX2 give the same bits, because both use fused products in the same order.
 struct CovarianceKernels {
     const char* name;  ///< of the instruction set, see nameOfTarget()
 

@@ -4,7 +4,8 @@
 
 namespace terratact {
 
-/// The two hot loops of training, compiled for several instruction sets from one source by Highway. All pointers must be 64-byte aligned unless stated otherwise.
+/// The two hot loops of training, compiled for several instruction sets from one source by Highway.
+/// All pointers must be 64-byte aligned unless stated otherwise.
 ///
 /// Rows are packed in groups of kGroup: group g holds rows 8g … 8g + 7 of a matrix M as
 ///   packed[g · stride + k · kGroup + r] = M[8g + r][k].

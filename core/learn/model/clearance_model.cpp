@@ -251,8 +251,8 @@ ResidualSample ClearanceModel::sideResiduals(const ClearanceModel& right,
     return sample;
 }
 
-/// Gives bins whose regime differs in their row, or whose height is unknown there, the residuals of other rows. first: row of the
-/// sample that holds bin 0.
+/// Gives bins whose regime differs in their row, or whose height is unknown there, the residuals of
+/// other rows. first: row of the sample that holds bin 0.
 void ClearanceModel::borrow(ResidualSample& sample, Eigen::Index first,
                             const std::vector<int>& rows, const Eigen::VectorXd& distance,
                             unsigned covered) const

@@ -12,8 +12,8 @@
 namespace terratact {
 
 /// Returns the ceilings at the attitude of training rows: U × 11. features: U × f as in SurfaceData;
-/// of sides, the ceilings are those of the own side (sideCeiling). poll: here and below, called every few milliseconds; what it throws is
-/// rethrown.
+/// of sides, the ceilings are those of the own side (sideCeiling). poll: here and below, called
+/// every few milliseconds; what it throws is rethrown.
 Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot,
                              const Poll& poll = {});
 
@@ -62,7 +62,8 @@ void store(SurfaceData& model, const TrainedSurface& trained, int bin, bool cove
 ///   h − m = a + b (z − m),   |z − m| ≤ 0.1 m.
 /// A measurement with variance Var(h − m) (1 − b) / b has exactly that gain b. The bias is the mean
 /// of h − z, and not a / b: the residuals hold the mean of h − m already. Var(h − m)
-/// is without the mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m, without weight, if contacts add nothing (b ≤ 0).
+/// is without the mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m,
+/// without weight, if contacts add nothing (b ≤ 0).
 void finishClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                      const Poll& poll = {}, AbsentFeatures without = {});
 

@@ -19,11 +19,11 @@ namespace terratact {
 /// every row of a regime with few rows.
 inline constexpr int kReducedRows = 4000;
 
-/// Surface processes for scenes without currents or forces, of one plane or of sides. For each set of missing features, the
-/// processes are trained again on the model's own rows without them. Hyperparameters are the
-/// model's, with length scales within 0.5 … 6. Weights, leave-one-out residuals, scale of novelty
-/// and the contacts' sd are computed as in clearance_training.h. Bands widen because the residuals
-/// do.
+/// Surface processes for scenes without currents or forces, of one plane or of sides. For each set
+/// of missing features, the processes are trained again on the model's own rows without them.
+/// Hyperparameters are the model's, with length scales within 0.5 … 6. Weights, leave-one-out
+/// residuals, scale of novelty and the contacts' sd are computed as in clearance_training.h. Bands
+/// widen because the residuals do.
 /// Each set is made when it is first needed, in two seconds of processor time. The kKept latest
 /// sets are kept. The result does not depend on earlier requests. It may be shared between threads.
 class ReducedClearances {

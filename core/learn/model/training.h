@@ -29,7 +29,8 @@ struct RowOptions {
 /// still unset. Scenes that lack a feature or every height are left out, and then exact copies
 /// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, those with
 /// all heights before those with some, then the near copies. The conditionals learn from complete
-/// first scenes only. Throws std::invalid_argument if fewer than 30 of these are left, or if an input never varies. heightSd has rows if a scene states the sd of a height.
+/// first scenes only. Throws std::invalid_argument if fewer than 30 of these are left, or if an
+/// input never varies. heightSd has rows if a scene states the sd of a height.
 struct TrainingSet {
     ModelData model;
     int used = 0;

@@ -192,8 +192,9 @@ TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
     }
 }
 
-/// Stalls the disk for three seconds at the rate of a full bus, and ends the stall itself: a caller that had to wait for
-/// the disk would wait forever. The trouble is reported meanwhile. Queued frames are kept; dropped ones are counted in the file.
+/// Stalls the disk for three seconds at the rate of a full bus, and ends the stall itself: a caller that had to wait
+/// for the disk would wait forever. The trouble is reported meanwhile. Queued frames are kept; dropped ones are counted
+/// in the file.
 TEST_F(Recorder, aStalledDiskBlocksNoCallerAndIsReported)
 {
     constexpr int kTurns = 150;

@@ -1,5 +1,5 @@
-// Tests that refused models and sessions are explained in the operator's language. The errors are not listed here: the readers
-// produce them for files broken in many ways. No English word may remain in the translations.
+// Tests that refused models and sessions are explained in the operator's language. The errors are not listed here: the
+// readers produce them for files broken in many ways. No English word may remain in the translations.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 

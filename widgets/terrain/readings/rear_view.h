@@ -5,8 +5,8 @@
 
 namespace terratact {
 
-/// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it stands
-/// the cross slope of the ground ahead in degrees, where it is known. In its minimum size the view
+/// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it
+/// stands the cross slope of the ground ahead in degrees, where it is known. In its minimum size the view
 /// is flat: the same stands in short beside a smaller picture. Takes values, emits nothing.
 class RearView final : public QWidget {
     Q_OBJECT
