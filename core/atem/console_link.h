@@ -33,8 +33,8 @@ struct LinkView {
 /// the returned frames at once.
 class ConsoleLink {
 public:
-    static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
-    static constexpr double kDrivePeriod = 0.02;     ///< [s]
+    static constexpr double kHeartbeatPeriod = 0.1;  ///< [s] between heartbeats
+    static constexpr double kDrivePeriod = 0.02;     ///< [s] between repeated Drive frames
     /// [s] between Disarm frames to a robot that should not be armed.
     static constexpr double kDisarmPeriod = 0.1;
     /// [s] longest wait of a command for a challenge
@@ -55,7 +55,8 @@ public:
     std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
 
     /// Reports that window and panel have both responded now. After 0.1 s without it a drive is
-    /// halted. The robot is also disarmed if anything moves or was commanded to move. Otherwise
+    /// halted. The robot is also disarmed if anything moves or was commanded to move; a latched STOP
+    /// and an unknown status count as moving. Otherwise
     /// only commands are refused, for up to 1 s: heartbeats continue, and the robot stays armed.
     void operatorAlive(double now);
 

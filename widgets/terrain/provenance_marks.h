@@ -23,7 +23,8 @@ struct ProvenanceMark {
     int size = 0;  ///< [px] at 100 %
     QPen bar;      ///< with the pattern of barPattern()
 };
-ProvenanceMark markOf(Provenance provenance);  ///< Returns the mark in the current theme.
+/// Returns the mark in the current theme. Its fill is markFill()'s (core/infer/estimate/provenance.h).
+ProvenanceMark markOf(Provenance provenance);
 
 /// Returns the brush of a mark in a colour; what is not filled has the card's colour.
 QBrush brushOf(MarkFill fill, const QColor& colour);

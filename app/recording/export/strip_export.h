@@ -17,6 +17,7 @@ namespace terratact {
 ///   drift_sd_m       sd of the height by the way since the section's begin
 ///   felt             arm, contact, track, in part, bounded, not felt or not recorded
 ///   time_s, estimate scene's time and estimate's number
+/// A bin that is not felt has its estimated height, too; only `felt` tells.
 /// section: the only one to write, from 1; empty: all. Both functions throw std::invalid_argument if there is no such
 /// section.
 std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});

@@ -83,7 +83,7 @@ struct PressedBins {
     /// Felt, FeltInPart, Bounded or NotFelt; behind the front pivot: Bounded or NotFelt.
     TouchMap touch{};
     /// The x of the foremost loaded element [m], DEM frame; binBegin(0): none is loaded.
-    double feltTo = 0.0;
+    double feltTo = binBegin(0);
     int firstOfFlipper = kFirstAhead;  ///< rearmost bin whose centre lies ahead of the front pivot
     FeltCells cells{};                 ///< of pressedStretches()
 };

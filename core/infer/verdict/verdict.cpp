@@ -49,7 +49,8 @@ int reachBin(const TerrainEstimate& estimate)
 Shortfall shortfallOf(const TerrainEstimate& estimate, int horizon)
 {
     if (!isTouchRecorded(estimate)) return Shortfall::None;
-    if (horizon < kFirstAhead) return Shortfall::NothingFelt;
+    const bool presses = estimate.feltTo > binBegin(0);
+    if (horizon < kFirstAhead && !presses) return Shortfall::NothingFelt;
     if (horizon < std::max(reachBin(estimate), kMinHorizonBin)) return Shortfall::ShortHorizon;
     return lastFeltBin(estimate) >= horizon ? Shortfall::None : Shortfall::Spanned;
 }

@@ -40,7 +40,7 @@ SourceText describe(WithholdReason reason);
 /// Reason why the felt ground does not allow CLEAR, although the draws hold no step there.
 enum class Shortfall : std::uint8_t {
     None,          ///< it allows CLEAR, or the touch is not recorded
-    NothingFelt,   ///< no force element carries load, and the arm measured nothing ahead
+    NothingFelt,   ///< no force element carries load, and no bin ahead is felt
     ShortHorizon,  ///< the front flippers reach further than the ground they press on
     Spanned        ///< bins before the horizon are only bounded or felt in part
 };

@@ -10,7 +10,8 @@
 namespace terratact {
 
 // Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them. Readers
-// refuse any other schema. A damaged file is saved by session_salvage.h.
+// refuse any other schema (requireSessionSchema() in session_tables.h). What is whole in a damaged
+// file is saved by core/log/session_salvage.h.
 
 /// Version 1 does not record how a bin was touched; all its forces and currents count as measured.
 /// Versions 1 and 2 hold phases, failures and causes of disarming as English texts

@@ -108,6 +108,17 @@ TEST(Verdict, hoveringFlipperIsNeverClear)
     EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).shortfall, Shortfall::NothingFelt);
 }
 
+TEST(Verdict, aPressAtThePivotIsNoPressOnNothing)
+{
+    TerrainEstimate e = estimateFeltTo(8);
+    e.touch[6] = Touch::FeltInPart;
+    for (const std::size_t bin : {7U, 8U}) e.touch[bin] = Touch::Bounded;
+    e.feltTo = 0.31;
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.shortfall, Shortfall::ShortHorizon);
+    EXPECT_LT(v.horizon, 0.3);
+}
+
 TEST(Verdict, spannedGroundNeedsALowRate)
 {
     TerrainEstimate e = estimateFeltTo(8);
