@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/mapping/enumerators.h"
 #include "core/mapping/pose_samples.h"
 #include "core/mapping/recorded_transforms.h"
 #include "core/mapping/rotation.h"
@@ -20,19 +21,6 @@
 
 namespace terratact {
 namespace {
-
-/// Position of an activity or refusal among its enumerators; empty for an unknown text.
-std::optional<double> enumeratorOf(Quantity quantity, const std::string& text)
-{
-    const auto find = [&text](auto last) -> std::optional<double> {
-        using Enum = decltype(last);
-        for (int i = 0; i <= static_cast<int>(last); ++i)
-            if (describe(static_cast<Enum>(i)).english == text) return i;
-        return std::nullopt;
-    };
-    if (quantity == Quantity::Activity) return find(RobotActivity::Stopped);
-    return find(Refusal::OutOfLimits);
-}
 
 /// One field that is read into one series.
 struct FieldReader {

@@ -1,4 +1,5 @@
-"""Files that docs/development.md and the READMEs of rooms name are there. The README around a room names the room."""
+"""Files that docs/development.md and the READMEs of rooms name are there. The README around a room names the room. Sources
+stay short."""
 
 import os
 import pathlib
@@ -65,6 +66,14 @@ class Rooms(unittest.TestCase):
             if around and f"`{room.relative_to(around)}/`" not in (around / "README.md").read_text():
                 unnamed.append(str(room.relative_to(SOURCE)))
         self.assertEqual(unnamed, [])
+
+
+class Sources(unittest.TestCase):
+    def test_none_is_longer_than_450_lines(self):
+        sources = [path for room in ROOMS for path in (SOURCE / room).rglob("*.[hc]*") if path.suffix in (".h", ".cpp")]
+        self.assertGreater(len(sources), 1000)
+        lengths = {str(path.relative_to(SOURCE)): len(path.read_text().splitlines()) for path in sources}
+        self.assertEqual({path: lines for path, lines in lengths.items() if lines > 450}, {})
 
 
 if __name__ == "__main__":

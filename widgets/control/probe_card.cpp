@@ -40,11 +40,6 @@ ProbePlace placeOf(const ProbeProposal& proposal)
     return {proposal.bin, proposal.side};
 }
 
-QString wordOf(StepVerdict answer)
-{
-    return translated(describe(answer));
-}
-
 }  // namespace
 
 ProbeCard::ProbeCard(QWidget* parent) : Card(tr("Arm probe"), parent)
@@ -316,7 +311,7 @@ QString ProbeCard::questionText() const
         if (!narrow_) return tr("%1 bit, no gain").arg(before);
         return p.answer == StepVerdict::CannotTell
                  ? tr("step: %1 bit, no gain").arg(before)
-                 : tr("Already %1; no gain").arg(wordOf(p.answer));
+                 : tr("Already %1; no gain").arg(translated(describe(p.answer)));
     }
     const QString after = format::number(p.worth->bitsAfter, 2);
     const QString rate = format::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
@@ -333,7 +328,7 @@ void ProbeCard::showAnswer()
         return;
     }
     const bool decided = proposal_ && proposal_->answer != StepVerdict::CannotTell;
-    const QString answer = decided ? wordOf(proposal_->answer) : QString();
+    const QString answer = decided ? translated(describe(proposal_->answer)) : QString();
     decided_->setVisible(isVoid() || (decided && !narrow_ && proposal_->worth));
     if (isVoid())
         decided_->setText(tr("Cannot be approved: %1").arg(whyVoid_));

@@ -79,7 +79,7 @@ struct Paintings final : QObject {
     int count = 0;
 };
 
-TEST_F(Look, windowIsPaintedAfterARepaintWasDueWhileTheFontWasFitted)
+TEST_F(Look, aRepaintThatWasDueWhileFittingIsPainted)
 {
     ASSERT_TRUE(eventually([&] { return !window->isFittingFont(); }));
     window->update();

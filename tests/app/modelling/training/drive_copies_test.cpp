@@ -18,7 +18,7 @@ DriveLines someDrive(double pitch)
     return drive;
 }
 
-TEST(DriveCopies, knowsADriveUnderAnotherNameAndInAnotherNumberFormat)
+TEST(DriveCopies, knowsADriveByAnotherNameAndNumberFormat)
 {
     DriveCopies copies;
     EXPECT_FALSE(copies.isCopy(someDrive(0.1)));
