@@ -198,7 +198,7 @@ TEST_F(BusConsole, anExplorationThatTheRobotDoesNotBeginFails)
     const auto begins = [&] {
         std::size_t count = 0;
         for (const BusFrame& heard : framesOf(*recorder))
-            count += heard.frame.id == layoutOf(FrameKind::BeginAtem).id ? 1 : 0;
+            count += heard.frame.id == layoutOf(FrameKind::BeginAtem).id ? 1U : 0U;
         return count;
     };
     window->exploration().request();
