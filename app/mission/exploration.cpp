@@ -65,24 +65,39 @@ bool Exploration::reportsExploring() const
 
 bool Exploration::isRobotStillExploring(double endedAt) const
 {
-    // After an abort the robot accepts a drive, or another exploration, only once its next status reports the end.
+    // After an abort the robot accepts a drive or an advance only once its next status reports the end.
     return reportsExploring() && now_ - endedAt < kEndsWithin;
 }
 
 void Exploration::beginOn()
 {
-    if (state_.phase != AtemPhase::Halting || reportsExploring()) return;
-    // A begin that waits for the robot's challenge can be lost.
-    const bool mayBeLost = bus_ && answered();
-    if (beganAt_ && !(mayBeLost && now_ - *beganAt_ >= kRepeatBegin)) return;
-    beganAt_ = now_;
-    ask(BeginAtemCommand{});
+    if (state_.phase != AtemPhase::Halting || hasBegun()) return;
+    // Frames can be lost, and a begin that waits for the robot's challenge can be dropped.
+    const bool isDue = !askedToBegin_ || (bus_ && now_ - *askedToBegin_ >= kRepeatBegin);
+    const bool before = reportsExploring();
+    if (!isDue && (before || beginWasAsked_)) return;
+    askedToBegin_ = now_;
+    if (before) return static_cast<void>(unsent(AbortAtemCommand{}));
+    const bool first = !std::exchange(beginWasAsked_, true);
+    notSent_ =
+        (first ? command(BeginAtemCommand{}) : unsent(BeginAtemCommand{})).value_or(Message());
 }
 
 bool Exploration::hasBegun() const
 {
     const bool tells = bus_ && bus_->link.robot;  // else the press is its answer
-    return beganAt_ && (!tells || reportsExploring());
+    return beginWasAsked_ && (!tells || reportsExploring());
+}
+
+Message Exploration::whyNotBegun() const
+{
+    if (!beginWasAsked_)
+        return TR_NOOP("terratact::Exploration", "it still reports the exploration before");
+    if (!notSent_.empty()) return notSent_;
+    const auto robot = bus_ ? bus_->link.robot : std::nullopt;
+    const bool refused =
+        robot && robot->lastCommand == FrameKind::BeginAtem && robot->refusal != Refusal::None;
+    return refused ? Message(describe(robot->refusal)) : Message();
 }
 
 void Exploration::driveOn()
@@ -92,14 +107,19 @@ void Exploration::driveOn()
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
-std::optional<Message> Exploration::command(const Command& command)
+std::optional<Message> Exploration::unsent(const Command& command)
 {
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
-    if (sent) return std::nullopt;
-    Message why = troubleOf(link_, sent.error().message);
-    emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"), why),
-                  EventSeverity::Bad);
+    return sent ? std::nullopt : std::optional(troubleOf(link_, sent.error().message));
+}
+
+std::optional<Message> Exploration::command(const Command& command)
+{
+    std::optional<Message> why = unsent(command);
+    if (why)
+        emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"), *why),
+                      EventSeverity::Bad);
     return why;
 }
 
@@ -138,17 +158,13 @@ void Exploration::poll(AtemInput& in)
     const Measurement& m = latest_->sample.measurement;
     in.poseChanged = estimation_.hasMoved();
     if (state_.phase == AtemPhase::Pressing) in.pressed = hasPressed();
+    const bool stands = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
+    in.unbegun = stands && !hasBegun();
     if (!answered()) return;
     const bool refused = m.refusal != Refusal::None;
     if (exploring(state_.phase)) refusal_ = m.refusal;
     switch (state_.phase) {
-    case AtemPhase::Halting: {
-        const bool stands =
-            m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
-        in.halted = stands && hasBegun();
-        in.unbegun = stands && !hasBegun();
-        break;
-    }
+    case AtemPhase::Halting: in.halted = stands && hasBegun(); break;
     case AtemPhase::Pressing:
         in.pressRefused = refused || m.activity == RobotActivity::Halted;
         break;
@@ -273,8 +289,8 @@ void Exploration::enter(const AtemState& before)
         if (!before.loops)
             emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
                           EventSeverity::Note);
-        beganAt_.reset();
-        if (reportsExploring()) command(AbortAtemCommand{});  // of before
+        askedToBegin_.reset();
+        beginWasAsked_ = false;
         break;
     case AtemPhase::Pressing:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the front flippers press down"));
@@ -347,6 +363,7 @@ void Exploration::end(bool aborted)
 void Exploration::fail()
 {
     disarmedBy_ = bus_ ? bus_->link.arming.cause : DisarmCause::None;
+    if (state_.failure == AtemFailure::BeginTimeout) notSent_ = whyNotBegun();
     const Message why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
@@ -390,10 +407,11 @@ Message Exploration::failureWords() const
     const SourceText what = describe(state_.failure);
     if (state_.failure == AtemFailure::Disarmed && disarmedBy_ != DisarmCause::None)
         return Message::joined(what, describe(disarmedBy_));
-    if (state_.failure == AtemFailure::NotSent) return Message::joined(what, notSent_);
+    const bool isOfCommand =
+        state_.failure == AtemFailure::NotSent || state_.failure == AtemFailure::BeginTimeout;
+    if (isOfCommand) return notSent_.empty() ? Message(what) : Message::joined(what, notSent_);
     const bool refused = state_.failure == AtemFailure::PressRefused
                       || state_.failure == AtemFailure::ProbeRefused
-                      || state_.failure == AtemFailure::BeginTimeout
                       || state_.failure == AtemFailure::AdvanceRefused;
     if (!refused || refusal_ == Refusal::None) return what;
     return Message::joined(what, describe(refusal_));

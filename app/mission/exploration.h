@@ -189,6 +189,7 @@ private:
     Message loopWords() const;
     bool reportsExploring() const;  ///< false also without a bus
     bool hasBegun() const;          ///< in Halting
+    Message whyNotBegun() const;    ///< empty: not known
     void beginOn();  ///< begins the exploration once the robot has ended the one before
     /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
     bool isRobotStillExploring(double endedAt) const;
@@ -197,7 +198,8 @@ private:
     void driveOn();
     void watchDrive();
     std::optional<Message>
-    command(const Command& command);  ///< returns, and reports, why it was not sent
+    unsent(const Command& command);  ///< sends it; returns why it was not sent
+    std::optional<Message> command(const Command& command);  ///< the same, and reports it
     /// Sends the command that the present phase waits for. Unsent, it ends the exploration; returns false then.
     bool ask(const Command& wanted);
     bool answered() const;    ///< the newest sample was measured after the last command
@@ -239,7 +241,9 @@ private:
     int direction_ = 0;                 ///< of the drive
     std::optional<double> driveSpeed_;  ///< [m/s]
     DriveWatch driveWatch_;
-    std::optional<double> beganAt_;  ///< Halting: time of the newest begin [s]; empty: none yet
+    /// Halting: time [s] of the newest begin, or of the newest abort of the exploration before.
+    std::optional<double> askedToBegin_;
+    bool beginWasAsked_ = false;               ///< Halting: by a begin
     std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
@@ -247,7 +251,7 @@ private:
     /// The robot has confirmed STOP; missing telemetry does not revoke it.
     bool stopConfirmed_ = false;
     Message stopTrouble_;  ///< reason that the newest STOP was not sent
-    Message notSent_;      ///< reason that a phase's command was not sent
+    Message notSent_;      ///< reason of NotSent and BeginTimeout; empty: not known
 
     double approvedAt_ = 0.0;          ///< [s]
     std::optional<double> pressTook_;  ///< [s] duration of the last press in this run

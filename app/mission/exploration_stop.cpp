@@ -1,8 +1,8 @@
 // STOP, from the operator's press to the robot's confirmation. The path of a press:
-//   key, button or gamepad → stopFrom() → CanSource::send() → ConsoleLink::send(), which asks the command
-//   gate and makes the frame (frameOf()).
-// The panel's thread calls CanSource::send() itself. ConsoleLink keeps STOP latched until releaseStop(), and
-// so does the robot.
+//   key or button → stopFrom() → CanSource::send() → ConsoleLink::send(), which asks the command gate and
+//   makes the frame (frameOf()).
+// The threads of panel and gamepad call CanSource::send() themselves; the window then sends it again by
+// stopFrom(). ConsoleLink keeps STOP latched until releaseStop(), and so does the robot.
 #include "app/display/translated.h"
 #include "app/mission/exploration.h"
 #include "app/mission/text/bus_text.h"

@@ -45,8 +45,8 @@ struct Attitude {
 
 /// Returns the levels of pitch and roll, and the limits in force. Red begins at the smaller of
 /// limits.red and tip-over − kRedReserve, amber at the smaller of limits.amber and tip-over −
-/// kAmberReserve. Amber and red alarm and end feel forward. Beyond tip-over nothing is explored; drive keys
-/// still act.
+/// kAmberReserve. Amber and red alarm and end feel forward. Beyond tip-over no exploration begins;
+/// drive keys still act.
 Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits);
 
 }  // namespace terratact

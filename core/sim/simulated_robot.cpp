@@ -1,10 +1,11 @@
 #include "core/sim/simulated_robot.h"
-#include "core/limits.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "core/limits.h"
 
 namespace terratact {
 

@@ -135,8 +135,8 @@ struct LineExtent {
 std::vector<CanFrame> framesOf(const SensorLine& line, std::uint8_t counter,
                                const LineExtent& extent = {});
 
-/// Joins frames of one counter to a line. Without one of its frames there is no line, so that telemetry
-/// becomes stale after kStaleAfter.
+/// Joins frames of one counter to a line. Without one of its frames there is no line; if that lasts,
+/// telemetry becomes stale after kStaleAfter.
 class SensorLineReader {
 public:
     explicit SensorLineReader(const LineExtent& extent = {});

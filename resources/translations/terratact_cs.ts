@@ -7693,6 +7693,10 @@ F1</translation>
         <source>The probe was refused</source>
         <translation>Sonda byla odmítnuta</translation>
     </message>
+    <message>
+        <source>it still reports the exploration before</source>
+        <translation>stále hlásí předchozí průzkum</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>

@@ -7693,6 +7693,10 @@ F1</translation>
         <source>The probe was refused</source>
         <translation>Die Sondierung wurde abgelehnt</translation>
     </message>
+    <message>
+        <source>it still reports the exploration before</source>
+        <translation>er meldet noch die Erkundung davor</translation>
+    </message>
 </context>
 <context>
     <name>terratact::ForceArrays</name>
