@@ -74,11 +74,13 @@ public:
     {
         widget->installEventFilter(this);
     }
-    /// Runs the event loop until the paint; empty after 5 s.
+    /// Runs the event loop until the paint; empty after a minute.
     std::optional<double> wait()
     {
         at_.reset();
-        QTimer::singleShot(5000, &loop_, &QEventLoop::quit);
+        QTimer guard;  // it ends with this wait, and never ends a later one
+        connect(&guard, &QTimer::timeout, &loop_, &QEventLoop::quit);
+        guard.start(60'000);
         loop_.exec();
         return at_;
     }
