@@ -190,7 +190,8 @@ private:
     bool reportsExploring() const;  ///< false also without a bus
     bool hasBegun() const;          ///< in Halting
     Message whyNotBegun() const;    ///< empty: not known
-    void beginOn();  ///< begins the exploration once the robot has ended the one before
+    /// Ends the exploration before, then begins the next one; repeats both until the robot reports them.
+    void beginOn();
     /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
     bool isRobotStillExploring(double endedAt) const;
 
@@ -243,7 +244,7 @@ private:
     DriveWatch driveWatch_;
     /// Halting: time [s] of the newest begin, or of the newest abort of the exploration before.
     std::optional<double> askedToBegin_;
-    bool beginWasAsked_ = false;               ///< Halting: by a begin
+    bool beginWasAsked_ = false;               ///< Halting: a begin was tried
     std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
