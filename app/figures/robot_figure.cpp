@@ -225,8 +225,9 @@ private:
                         r_.rear.axleDistance + r_.rear.tipRadius, r_.totalMass()),
             fmt::format("tips over at {:.0f}° nose up, {:.0f}° nose down, {:.0f}° sideways, with "
                         "flippers flat; {:.3g} N m per A, at most {:.3g} N m",
-                        tips.noseUp / kDegree, tips.noseDown / kDegree, tips.side / kDegree,
-                        r_.torquePerAmpere, r_.maxFlipperTorque)};
+                        tips.noseUp / kDegree, tips.noseDown / kDegree,
+                        std::min(tips.leftUp, tips.rightUp) / kDegree, r_.torquePerAmpere,
+                        r_.maxFlipperTorque)};
         for (std::size_t i = 0; i < lines.size(); ++i)
             label({20.0, kRobotHeight - 36.0 + 18.0 * static_cast<double>(i)}, lines.at(i),
                   kFigureText);

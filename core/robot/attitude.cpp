@@ -51,9 +51,11 @@ TipOver tipOver(const RobotModel& robot, double front, double rear)
     add(robot.front, front);
     add(robot.rear, rear);
     const double height = com.z - ground;
+    const double aside = robot.bodyMass * robot.lateral.bodyComY / total;  // left positive
     return {.noseUp = std::atan2(com.x - rearmost, height),
             .noseDown = std::atan2(foremost - com.x, height),
-            .side = std::atan2(robot.halfWidth, height)};
+            .leftUp = std::atan2(robot.halfWidth + aside, height),
+            .rightUp = std::atan2(robot.halfWidth - aside, height)};
 }
 
 Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits)
@@ -62,7 +64,7 @@ Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const Atti
     const TipOver tips = tipOver(robot, s.front, s.rear);
     Attitude attitude;
     attitude.pitchTips = line.pitch >= 0.0 ? tips.noseUp : -tips.noseDown;
-    attitude.rollTips = line.roll >= 0.0 ? tips.side : -tips.side;
+    attitude.rollTips = line.roll >= 0.0 ? tips.leftUp : -tips.rightUp;
     attitude.pitchLimits = limitsInForce(attitude.pitchTips, limits);
     attitude.rollLimits = limitsInForce(attitude.rollTips, limits);
     attitude.pitch = levelOf(line.pitch, attitude.pitchLimits);

@@ -14,7 +14,8 @@ struct TipOver {
     double noseUp = 0.0;  ///< over the tracks' rear end, or over the tips of lowered rear flippers
     /// Over the tracks' front end, or over the tips of lowered front flippers.
     double noseDown = 0.0;
-    double side = 0.0;  ///< over RobotModel::halfWidth
+    double leftUp = 0.0;   ///< over the right track's outer edge, RobotModel::halfWidth away
+    double rightUp = 0.0;  ///< over the left track's outer edge; the body's centre may lie aside
 };
 TipOver tipOver(const RobotModel& robot, double front, double rear);
 

@@ -85,6 +85,18 @@ Measurement lineOf(const TwoTrackReadings& s, Side side)
     return line;
 }
 
+/// Returns the limit of the side to which a robot on this cross slope tips over. Left up: positive.
+double slopeLimit(const TipOver& tips, double angle)
+{
+    return (angle >= 0.0 ? tips.leftUp : tips.rightUp) - kRedReserve;
+}
+
+/// Returns what an angle leaves to the limit of its side [rad].
+double slopeReserve(const TipOver& tips, double angle)
+{
+    return slopeLimit(tips, angle) - std::abs(angle);
+}
+
 double degrees(double angle)
 {
     return angle * 180.0 / std::numbers::pi;
@@ -118,8 +130,8 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
 {
     const std::size_t count = drawsOfBoth(estimate);
     const Proprioception mean = planeReadings(s);
+    const TipOver tips = tipOver(robot, mean.front, mean.rear);
     CrossSlope slope;
-    slope.limit = tipOver(robot, mean.front, mean.rear).side - kRedReserve;
     const double width = 2.0 * robot.lateral.flipperY;
     std::array<std::size_t, kBins> hits{};
     std::size_t any = 0;
@@ -130,8 +142,10 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
              ++i) {
             const double angle =
                 std::atan((estimate.side[0].draws[k][i] - estimate.side[1].draws[k][i]) / width);
-            if (std::abs(angle) > std::abs(steepest[k])) steepest[k] = angle;
-            if (std::abs(angle) <= slope.limit) continue;
+            const double reserve = slopeReserve(tips, angle);
+            if (i == std::size_t{kFirstAhead} || reserve < slopeReserve(tips, steepest[k]))
+                steepest[k] = angle;
+            if (reserve >= 0.0) continue;
             ++hits[i];
             hit = true;
         }
@@ -140,6 +154,7 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
     const auto middle = steepest.begin() + static_cast<std::ptrdiff_t>(count / 2);
     std::nth_element(steepest.begin(), middle, steepest.end());
     slope.steepest = *middle;
+    slope.limit = slopeLimit(tips, slope.steepest);
     slope.bin =
         static_cast<int>(std::max_element(hits.begin() + kFirstAhead, hits.end()) - hits.begin());
     slope.beyond = shareOf(any, count, jointEffectiveDraws(estimate));
@@ -207,7 +222,7 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
         verdict.either = {0.0, 1.0};
     }
     const Proprioception mean = proprioception(line);
-    verdict.crossSlope.limit = tipOver(robot, mean.front, mean.rear).side - kRedReserve;
+    verdict.crossSlope.limit = slopeLimit(tipOver(robot, mean.front, mean.rear), 0.0);
     return verdict;
 }
 

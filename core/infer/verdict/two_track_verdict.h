@@ -25,10 +25,12 @@ StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit,
 ///   φ_i = atan((h_left,i − h_right,i) / distance of the lines)
 /// for bins from kFirstAhead to a last bin. The lines are those of the flippers.
 struct CrossSlope {
-    double steepest = 0.0;  ///< [rad] median over the draws of the φ_i with the largest |φ_i|
+    /// [rad] median over the draws of the φ_i that leaves the least to its side's limit
+    double steepest = 0.0;
     int bin = kFirstAhead;  ///< bin with the largest probability of exceeding the limit
-    double limit = 0.0;     ///< [rad] tip-over angle to the side less kRedReserve (attitude.h)
-    /// Probability that |φ_i| exceeds the limit in some bin, with its Monte-Carlo error.
+    /// [rad] tip-over angle to the side of `steepest`, less kRedReserve (attitude.h)
+    double limit = 0.0;
+    /// Probability that |φ_i| exceeds its side's limit in some bin, with its Monte-Carlo error.
     StepProbability beyond;
     bool operator==(const CrossSlope&) const = default;
 };

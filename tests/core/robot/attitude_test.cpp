@@ -32,7 +32,25 @@ TEST(TipOver, IsWhereTheMassStandsOverTheLastSupport)
     const double z = (robot.bodyMass * robot.bodyCom.z + 3.0 * 0.0195) / total;
     EXPECT_NEAR(std::tan(tips.noseUp), (x + 0.25) / (z - ground), 1e-6);
     EXPECT_NEAR(std::tan(tips.noseDown), (0.25 - x) / (z - ground), 1e-6);
-    EXPECT_NEAR(std::tan(tips.side), robot.halfWidth / (z - ground), 1e-6);
+    EXPECT_NEAR(std::tan(tips.leftUp), robot.halfWidth / (z - ground), 1e-6);
+    EXPECT_DOUBLE_EQ(tips.leftUp, tips.rightUp);
+}
+
+TEST(TipOver, AHeavySideTipsTheRobotEarlier)
+{
+    RobotModel robot = absolem();
+    robot.lateral.bodyComY = 0.15;
+    const double aside = robot.bodyMass * 0.15 / robot.totalMass();
+    const TipOver even = tipOver(absolem(), 0.0, 0.0), tips = tipOver(robot, 0.0, 0.0);
+    const double height = robot.halfWidth / std::tan(even.leftUp);
+    EXPECT_NEAR(std::tan(tips.leftUp), (robot.halfWidth + aside) / height, 1e-9);
+    EXPECT_NEAR(std::tan(tips.rightUp), (robot.halfWidth - aside) / height, 1e-9);
+    const double roll = tips.rightUp / kDegree;
+    const AttitudeLimits wide{80.0 * kDegree, 80.0 * kDegree};
+    EXPECT_TRUE(attitudeOf(tilted(0.0, -roll - 1.0), robot, wide).beyondTipping);
+    EXPECT_FALSE(attitudeOf(tilted(0.0, roll + 1.0), robot, wide).beyondTipping);
+    EXPECT_EQ(attitudeOf(tilted(0.0, 11.0 - roll), robot, wide).roll, AttitudeLevel::Amber);
+    EXPECT_EQ(attitudeOf(tilted(0.0, 9.0 - roll), robot, wide).roll, AttitudeLevel::Red);
 }
 
 TEST(TipOver, FlippersOnTheGroundHoldTheRobotLonger)

@@ -123,13 +123,32 @@ TEST(TwoTrackVerdict, aCrossSlopeThatTipsTheRobotBlocks)
     for (Heights& draw : estimate.side[0].draws)
         for (std::size_t i = 6; i < kBins; ++i) draw[i] = 0.8;
     const TwoTrackVerdict verdict = verdictFor(estimate);
-    const double tips = tipOver(absolem(), 0.0, 0.0).side;
+    const double tips = tipOver(absolem(), 0.0, 0.0).leftUp;
     EXPECT_NEAR(verdict.crossSlope.limit, tips - kRedReserve, 1e-12);
     EXPECT_NEAR(verdict.crossSlope.steepest, std::atan(0.8 / 0.544), 1e-9);
     EXPECT_DOUBLE_EQ(verdict.crossSlope.beyond.p, 1.0);
     EXPECT_EQ(verdict.both, StepVerdict::Blocked);
     EXPECT_NE(describe(verdict).find("cross slope 56° of "), std::string::npos)
         << describe(verdict);
+}
+
+TEST(TwoTrackVerdict, aSlopeToTheHeavySideBlocksEarlier)
+{
+    RobotModel robot = absolem();
+    robot.lateral.bodyComY = 0.15;
+    TwoTrackReadings s;
+    for (const std::size_t higher : {0U, 1U}) {
+        TwoTrackEstimate estimate = estimateWith(kNever, kNever);
+        for (Heights& draw : estimate.side.at(higher).draws)
+            for (std::size_t i = 6; i < kBins; ++i) draw[i] = 0.3;
+        const TwoTrackVerdict verdict = verdictOf(estimate, robot, s, 0.4);
+        const bool isBlocked = higher == 1U;  // a slope of 29°: the robot's left side is heavy
+        EXPECT_EQ(verdict.both, isBlocked ? StepVerdict::Blocked : StepVerdict::Clear);
+        EXPECT_DOUBLE_EQ(verdict.crossSlope.beyond.p, isBlocked ? 1.0 : 0.0);
+        const TipOver tips = tipOver(robot, 0.0, 0.0);
+        EXPECT_NEAR(verdict.crossSlope.limit,
+                    (isBlocked ? tips.rightUp : tips.leftUp) - kRedReserve, 1e-12);
+    }
 }
 
 TEST(TwoTrackVerdict, ofOnePlaneReadsAsThatOfOnePlane)
