@@ -5,6 +5,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "core/robot/side_plane.h"
 
 namespace terratact {
 namespace {
@@ -148,20 +149,26 @@ Precondition Preconditions::model(const ModelInUse& model)
 std::array<PlanarGround::PlanarityWarning, PlanarGround::kKinds>
 PlanarGround::warnings(const Measurement& m, const Settings& settings)
 {
-    const double asymmetry = flipperAsymmetry(m);
+    const double asymmetry = flipperAsymmetry(m), differential = m.differential.value_or(0.0);
     return {
         PlanarityWarning{std::abs(m.roll), settings.rollLimit,
                          Message(TR_NOOP("PlanarGround", "roll %1: left and right ground differ"),
                                  verbatim(format::degrees(m.roll)))},
         PlanarityWarning{asymmetry, settings.asymmetryLimit,
                          Message(TR_NOOP("PlanarGround", "left and right flippers differ by %1"),
-                                 verbatim(format::degrees(asymmetry)))}};
+                                 verbatim(format::degrees(asymmetry)))},
+        PlanarityWarning{std::abs(differential), kTurnedDifferential,
+                         Message(TR_NOOP("PlanarGround", "the track differential has turned by %1"),
+                                 verbatim(format::degrees(differential)))}};
 }
 
 SourceText PlanarGround::goneWords(int kind)
 {
-    return kind == kRoll ? TR_NOOP("PlanarGround", "the roll is small again")
-                         : TR_NOOP("PlanarGround", "left and right flippers agree again");
+    switch (kind) {
+    case kRoll: return TR_NOOP("PlanarGround", "the roll is small again");
+    case kAsymmetry: return TR_NOOP("PlanarGround", "left and right flippers agree again");
+    default: return TR_NOOP("PlanarGround", "the track differential is back");
+    }
 }
 
 QList<Precondition> PlanarGround::judge(const Measurement& m, const Settings& settings) const

@@ -42,9 +42,9 @@ public:
     static QList<Precondition> toArm(const CanView& view);
 };
 
-/// The methods assume equal ground left and right (planar ground). If roll or flippers contradict that, the operator
-/// may override each contradiction at its present size. New contradictions, and growth beyond the limit, are not
-/// covered.
+/// The methods assume equal ground left and right (planar ground). If roll, flippers or a track differential contradict
+/// that, the operator may override each contradiction at its present size. New contradictions, and growth beyond the
+/// limit, are not covered.
 class PlanarGround {
 public:
     /// Returns a Doubtful or Overridden precondition per contradiction of the settings' limits; a single Met one
@@ -59,7 +59,7 @@ public:
     std::vector<Message> overridden() const;
 
 private:
-    enum Kind { kRoll, kAsymmetry, kKinds };
+    enum Kind { kRoll, kAsymmetry, kDifferential, kKinds };
     struct PlanarityWarning {
         double size = 0.0, limit = 0.0;  ///< [rad]
         Message text;

@@ -10,6 +10,7 @@
 
 #include "core/infer/estimate/measured_bins.h"
 #include "core/infer/sampling/bin_conditionals.h"
+#include "core/robot/side_plane.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {
@@ -83,6 +84,10 @@ void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)
                     "left and right flippers differ by %1°: the ground is not the same left "
                     "and right"),
             fixed(flipperAsymmetry(m) * 57.29577951, 1));
+    if (hasTurned(m.differential))
+        estimate.warnings.emplace_back(TR_NOOP(
+            "core", "the track differential has turned: left and right are estimated as one "
+                    "plane"));
 }
 
 }  // namespace terratact

@@ -28,8 +28,8 @@ SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading>
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});
 
-/// Adds a warning for each measurement that breaks the 2-D assumption (roll, left/right
-/// difference).
+/// Adds a warning for each measurement that breaks the assumption of one plane: roll, flippers that
+/// differ left and right, a track differential that has turned.
 void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& measurement);
 
 }  // namespace terratact

@@ -79,4 +79,9 @@ bool isSymmetric(const TwoTrackReadings& s)
         && agree(left.rearCurrent, right.rearCurrent, kMotorSd) && forcesAgree(s);
 }
 
+bool hasTurned(const std::optional<double>& differential)
+{
+    return std::abs(differential.value_or(0.0)) > kTurnedDifferential;
+}
+
 }  // namespace terratact

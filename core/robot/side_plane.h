@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/robot/robot_model.h"
 #include "core/robot/two_tracks.h"
 
@@ -26,5 +28,10 @@ Proprioception planeReadings(const TwoTrackReadings& s);
 /// forces that both sides have. A reading that one side alone has makes the readings asymmetric.
 bool isSymmetric(const TwoTrackReadings& s);
 inline constexpr double kSymmetricSd = 3.0;
+
+/// Returns true if a track differential has turned: by more than kTurnedDifferential, which is beyond
+/// its sensor's noise. Empty: it is locked. Each track then has a pitch of its own.
+bool hasTurned(const std::optional<double>& differential);
+inline constexpr double kTurnedDifferential = 0.02;  // [rad]
 
 }  // namespace terratact

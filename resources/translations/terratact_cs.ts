@@ -786,6 +786,14 @@
         <source>%1, more than what was overridden</source>
         <translation>%1, víc, než co bylo přebito</translation>
     </message>
+    <message>
+        <source>the track differential has turned by %1</source>
+        <translation>diferenciál pásů je pootočen o %1</translation>
+    </message>
+    <message>
+        <source>the track differential is back</source>
+        <translation>diferenciál pásů je zpět</translation>
+    </message>
 </context>
 <context>
     <name>Preconditions</name>
@@ -6094,6 +6102,38 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the robot did not begin the exploration in time</source>
         <translation>robot nezačal průzkum včas</translation>
+    </message>
+    <message>
+        <source>the memory of the way needs every current and force: only the arm&apos;s earlier readings are used</source>
+        <translation>paměť cesty potřebuje všechny proudy a síly: použijí se jen dřívější měření ramene</translation>
+    </message>
+    <message>
+        <source>of the way, only the arm&apos;s earlier readings are used</source>
+        <translation>z cesty se použijí jen dřívější měření ramene</translation>
+    </message>
+    <message>
+        <source>the track differential has turned, left and right ground differ</source>
+        <translation>diferenciál pásů je pootočen, levá a pravá zem se liší</translation>
+    </message>
+    <message>
+        <source>the odometry or the pitch is suspected</source>
+        <translation>odometrie nebo podélný sklon jsou podezřelé</translation>
+    </message>
+    <message>
+        <source>a training drive is missing</source>
+        <translation>chybí trénovací jízda</translation>
+    </message>
+    <message>
+        <source>%1 more things are left out, in lines %2</source>
+        <translation>další vynechané věci: %1, na řádcích %2</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: its message %2 has more than %3 signals</source>
+        <translation>signál %1 je vynechán: jeho zpráva %2 má více než %3 signálů</translation>
+    </message>
+    <message>
+        <source>there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME</source>
+        <translation>není domovská složka pro záznamy: uveďte složku, nebo nastavte HOME nebo XDG_STATE_HOME</translation>
     </message>
 </context>
 <context>
@@ -13034,6 +13074,10 @@ vpředu</translation>
     <message>
         <source>%1, spanned to %2, risk below %3 %</source>
         <translation>%1, překlenuto do %2, riziko pod %3 %</translation>
+    </message>
+    <message>
+        <source>the differential has turned</source>
+        <translation>diferenciál je pootočen</translation>
     </message>
 </context>
 <context>

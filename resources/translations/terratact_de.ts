@@ -786,6 +786,14 @@
         <source>%1, more than what was overridden</source>
         <translation>%1, mehr als übergangen wurde</translation>
     </message>
+    <message>
+        <source>the track differential has turned by %1</source>
+        <translation>das Kettendifferential ist um %1 verdreht</translation>
+    </message>
+    <message>
+        <source>the track differential is back</source>
+        <translation>das Kettendifferential ist zurückgedreht</translation>
+    </message>
 </context>
 <context>
     <name>Preconditions</name>
@@ -6094,6 +6102,38 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the robot did not begin the exploration in time</source>
         <translation>der Roboter hat die Erkundung nicht rechtzeitig begonnen</translation>
+    </message>
+    <message>
+        <source>the memory of the way needs every current and force: only the arm&apos;s earlier readings are used</source>
+        <translation>das Gedächtnis des Wegs braucht alle Ströme und Kräfte: nur frühere Messungen des Arms werden benutzt</translation>
+    </message>
+    <message>
+        <source>of the way, only the arm&apos;s earlier readings are used</source>
+        <translation>vom Weg werden nur frühere Messungen des Arms benutzt</translation>
+    </message>
+    <message>
+        <source>the track differential has turned, left and right ground differ</source>
+        <translation>das Kettendifferential ist verdreht, der Boden links und rechts ist verschieden</translation>
+    </message>
+    <message>
+        <source>the odometry or the pitch is suspected</source>
+        <translation>die Odometrie oder die Längsneigung ist verdächtig</translation>
+    </message>
+    <message>
+        <source>a training drive is missing</source>
+        <translation>eine Trainingsfahrt fehlt</translation>
+    </message>
+    <message>
+        <source>%1 more things are left out, in lines %2</source>
+        <translation>weitere ausgelassene Dinge: %1, in den Zeilen %2</translation>
+    </message>
+    <message>
+        <source>the signal %1 is left out: its message %2 has more than %3 signals</source>
+        <translation>das Signal %1 wird ausgelassen: seine Botschaft %2 hat mehr als %3 Signale</translation>
+    </message>
+    <message>
+        <source>there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME</source>
+        <translation>es gibt keinen Benutzerordner für Aufzeichnungen: einen Ordner nennen, oder HOME oder XDG_STATE_HOME setzen</translation>
     </message>
 </context>
 <context>
@@ -13033,6 +13073,10 @@ voraus</translation>
     <message>
         <source>%1, spanned to %2, risk below %3 %</source>
         <translation>%1, bis %2 überspannt, Risiko unter %3 %</translation>
+    </message>
+    <message>
+        <source>the differential has turned</source>
+        <translation>das Differential ist verdreht</translation>
     </message>
 </context>
 <context>

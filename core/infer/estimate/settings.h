@@ -18,8 +18,8 @@ inline constexpr int kMaxBurnIn = 10'000'000;
 inline constexpr int kEnoughDraws = 4000;
 
 /// Default hazard rate per bin that is not felt. It equals the risk that Clear accepts (kClearBelow
-/// in verdict.h): CLEAR needs every bin felt up to the front flippers' reach. `terratact evaluate
-/// --hazards` prints the results of other rates.
+/// in verdict.h): CLEAR needs every bin felt up to the front flippers' reach. `terratact hazards`
+/// prints the results of this and other rates.
 inline constexpr double kHazardRate = 0.05;
 
 /// Every setting of an estimate besides scene, robot and model.

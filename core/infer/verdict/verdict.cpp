@@ -9,6 +9,7 @@
 #include "core/base/message.h"
 #include "core/base/named.h"
 #include "core/infer/estimate/contradiction.h"
+#include "core/robot/side_plane.h"
 
 namespace terratact {
 namespace {
@@ -27,6 +28,7 @@ std::vector<WithholdReason> withholdReasons(const TerrainEstimate& estimate,
     if (std::abs(scene.roll) > settings.rollLimit) reasons.push_back(WithholdReason::Roll);
     if (flipperAsymmetry(scene) > settings.asymmetryLimit)
         reasons.push_back(WithholdReason::Asymmetry);
+    if (hasTurned(scene.differential)) reasons.push_back(WithholdReason::Differential);
     if (!since.sensorsSound) reasons.push_back(WithholdReason::SensorFault);
     if (estimate.contradicts) reasons.push_back(WithholdReason::Contradiction);
     return reasons;
@@ -116,6 +118,8 @@ SourceText describe(WithholdReason reason)
         return TR_NOOP("core", "the robot rolls, left and right ground differ");
     case WithholdReason::Asymmetry:
         return TR_NOOP("core", "the flippers differ, left and right ground differ");
+    case WithholdReason::Differential:
+        return TR_NOOP("core", "the track differential has turned, left and right ground differ");
     case WithholdReason::SensorFault:
         return TR_NOOP("core", "a sensor may be wrong, see the alarms");
     case WithholdReason::Contradiction:

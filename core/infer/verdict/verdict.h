@@ -30,6 +30,7 @@ enum class WithholdReason : std::uint8_t {
     UnlikeTraining,  ///< the scene is unlike every training scene
     Roll,            ///< roll: left and right ground differ, but the estimate has one profile
     Asymmetry,       ///< left and right flippers differ: so may the ground
+    Differential,    ///< the track differential has turned: left and right ground differ
     SensorFault,     ///< SensorWatch suspected a sensor at the scene
     Contradiction    ///< on the estimated ground the robot would read other values
 };

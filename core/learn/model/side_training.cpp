@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -12,18 +11,17 @@
 #include "core/learn/model/clearance_training.h"
 #include "core/learn/model/surface_rows.h"
 #include "core/learn/model/training.h"
+#include "core/robot/side_plane.h"
 
 namespace terratact {
 
 namespace {
 
-constexpr double kTurnedDifferential = 0.02;  // [rad]
-
 bool isUsable(const TwoTrackScene& scene)
 {
     return absentFeatures(scene.s, Side::Left).none()
         && (knowsHeights(scene.truth[0]) || knowsHeights(scene.truth[1]))
-        && std::abs(scene.s.differential.value_or(0.0)) <= kTurnedDifferential;
+        && !hasTurned(scene.s.differential);
 }
 
 void writeRow(SurfaceData& rows, Eigen::Index row, const TwoTrackScene& scene, Side side)

@@ -205,7 +205,7 @@ TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)
     EXPECT_THROW((void)reconstruct(s, {}, b.robot, b.pa, none), std::invalid_argument);
 }
 
-TEST(PlanarWarning, isGivenForRollAndForUnequalFlippers)
+TEST(PlanarWarning, isGivenForEachReadingThatBreaksThePlane)
 {
     TerrainEstimate e = estimate(Method::Pa);
     e.warnings.clear();
@@ -216,6 +216,9 @@ TEST(PlanarWarning, isGivenForRollAndForUnequalFlippers)
     level.frontLeft = 0.3;
     warnIfNotPlanar(e, level);
     EXPECT_EQ(e.warnings.size(), 2U);
+    level.differential = -0.1;
+    warnIfNotPlanar(e, level);
+    EXPECT_EQ(e.warnings.size(), 5U);
 }
 
 }  // namespace

@@ -51,6 +51,13 @@ TEST(SidePlane, aPlaneReadsTheMeanOfWhatIsThere)
     EXPECT_EQ(mean.force[5], 0.0);
 }
 
+TEST(SidePlane, aDifferentialTurnsBeyondItsSensorsNoise)
+{
+    EXPECT_FALSE(hasTurned(std::nullopt));
+    EXPECT_FALSE(hasTurned(-kTurnedDifferential));
+    EXPECT_TRUE(hasTurned(-1.01 * kTurnedDifferential));
+}
+
 TEST(SidePlane, isSymmetricWithinTheNoiseOnly)
 {
     EXPECT_TRUE(isSymmetric(evenReadings()));

@@ -76,6 +76,7 @@ QString briefly(WithholdReason reason)
     case WithholdReason::UnlikeTraining: return VerdictStrip::tr("unlike all training");
     case WithholdReason::Roll: return VerdictStrip::tr("the robot rolls");
     case WithholdReason::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    case WithholdReason::Differential: return VerdictStrip::tr("the differential has turned");
     case WithholdReason::SensorFault: return VerdictStrip::tr("a sensor may be wrong");
     case WithholdReason::Contradiction: return VerdictStrip::tr("it contradicts the readings");
     }

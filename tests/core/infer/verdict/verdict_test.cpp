@@ -180,7 +180,9 @@ TEST(Verdict, isWithheldForEachSingleDoubt)
         {WithholdReason::Roll,
          [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.roll = -0.11; }},
         {WithholdReason::Asymmetry,
-         [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.rearLeft = 0.11; }}};
+         [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.rearLeft = 0.11; }},
+        {WithholdReason::Differential,
+         [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.differential = -0.021; }}};
     for (const Case& c : cases) {
         TerrainEstimate e = estimateWith(1000);
         Measurement m;
