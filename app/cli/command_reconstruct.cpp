@@ -11,10 +11,18 @@
 #include "app/runtime/text_output.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 
 namespace {
+
+void tellContradictions(const std::string& out, std::size_t count)
+{
+    if (count == 0) return;
+    printText(messagesBeside(out),
+              "{} estimates contradict their readings: their verdict is withheld\n", count);
+}
 
 Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundle& bundle)
 {
@@ -25,8 +33,9 @@ Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundl
     if (!file) return file.error();
     for (const Message& notice : file->notices)
         printText(stderr, "terratact: {}\n", notice.english());
-    const TrackEstimates estimates =
+    TrackEstimates estimates =
         estimateTracks(TrackApproach::Both, file->scenes, bundle, options.settings);
+    const std::size_t contradicting = checkTracks(file->scenes, bundle.robot, estimates);
     if (Status written = writeText(options.out, twoTrackCsv(file->scenes, bundle.robot, estimates));
         !written)
         return written;
@@ -37,6 +46,7 @@ Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundl
         messagesBeside(options.out),
         "{} scenes of two tracks written to {}; {} not estimated, {} estimated as one plane\n",
         estimates.size(), options.out, std::ssize(estimates) - made, planes);
+    tellContradictions(options.out, contradicting);
     return Done{};
 }
 
@@ -60,10 +70,7 @@ Status reconstructScenes(const ReconstructOptions& options)
                                      [](const auto& e) { return !e.note.empty(); });
     printText(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
               estimates.size(), options.out, noted);
-    if (contradicting > 0)
-        printText(messagesBeside(options.out),
-                  "{} estimates contradict their readings: their verdict is withheld\n",
-                  contradicting);
+    tellContradictions(options.out, contradicting);
     return Done{};
 }
 

@@ -1,5 +1,6 @@
 """Tests the command line: chains of commands, files, exit codes and error messages."""
 
+import csv
 import math
 import os
 import pathlib
@@ -284,6 +285,21 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(table), 11)
         self.assertEqual({row["scenes"] for row in table}, {"4"})
 
+    def two_tracks_of_a_wrong_pitch_are_withheld(self, model, scenes):
+        wrong, out = self.path / "wrong.csv", self.path / "wrong_est.csv"
+        table = rows(scenes)[:20]
+        for row in table:
+            row["pitch_rad"] = float(row["pitch_rad"]) + 0.4
+        with open(wrong, "w", newline="") as file:
+            writer = csv.DictWriter(file, table[0])
+            writer.writeheader()
+            writer.writerows(table)
+        said = run("reconstruct", "--tracks", "--model", model, "--data", wrong, "--out", out)
+        count = int(re.search(r"\n(\d+) estimates contradict their readings: their verdict is withheld\n", said).group(1))
+        self.assertGreater(count, 0)
+        told = [row["verdict"] for row in rows(out)][::22]
+        self.assertGreaterEqual(told.count("CANNOT TELL"), count)
+
     def test_two_tracks_are_learnt_and_evaluated(self):
         needs_no_sanitizer(self, IN_CORE)
         scenes, model, out = self.path / "two.csv", self.path / "two.ttm", self.path / "two"
@@ -312,6 +328,7 @@ class Commands(unittest.TestCase):
             starts = ("left ", "both ") if row["verdict"] == told else (f"{row['verdict']} for the robot · ",)
             self.assertTrue(row["text"].startswith(starts), (sides, row))
         self.assertTrue(any(row["verdict"] != row["side_verdict"] for row in table))
+        self.two_tracks_of_a_wrong_pitch_are_withheld(model, scenes)
         again = self.path / "again.ttm"
         run("train", "--plane", self.model, "--tracks", scenes, "--seed", 3, "--out", again)
         few, outs = self.first_scenes(3), []

@@ -17,7 +17,9 @@
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/side_plane.h"
+#include "core/sim/two_track_check.h"
 #include "core/store/csv_text.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
@@ -229,6 +231,19 @@ TrackEstimates estimateTracks(TrackApproach approach, const TrackScenes& scenes,
         }
     });
     return estimates;
+}
+
+std::size_t checkTracks(const TrackScenes& scenes, const RobotModel& robot,
+                        TrackEstimates& estimates)
+{
+    std::atomic<std::size_t> contradicting{0};
+    parallelFor(static_cast<int>(scenes.size()), [&](int k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (!estimates.at(at)) return;
+        writePosteriorCheck(*estimates[at], measurementOf(scenes[at].s), robot);
+        if (estimates[at]->side[0].contradicts) ++contradicting;
+    });
+    return contradicting;
 }
 
 std::vector<double> sideErrors(const TrackScenes& scenes, const RobotModel& robot,

@@ -32,6 +32,11 @@ using TrackEstimates = std::vector<std::optional<TwoTrackEstimate>>;
 TrackEstimates estimateTracks(TrackApproach approach, const std::vector<TwoTrackScene>& scenes,
                               const EstimatorBundle& bundle, const Settings& settings);
 
+/// Places the robot on every estimate's ground (core/sim/two_track_check.h), on all cores. An estimate that contradicts
+/// its scene's readings gets a warning. Returns the number of contradictions.
+std::size_t checkTracks(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot,
+                        TrackEstimates& estimates);
+
 /// Returns the error of a model that has no two tracks.
 Error modelOfOnePlane(const std::string& path);
 
