@@ -29,12 +29,10 @@ tests() {
   ctest --test-dir "$build" -L extremes -j "$(nproc)" | sed -n '/tests passed/p'
 }
 draws() {
-  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.sampling.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' | results
+  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.sampling" --gtest_filter='*EveryOneOfManyDraws' | results
 }
 rows() {
-  for test in gaussian_process_extremes_test projected_process_test; do
-    TERRATACT_ROWS=5600 "$build/tests/core.learn.gp.$test" --gtest_filter="$many" | results || return 1
-  done
+  TERRATACT_ROWS=5600 "$build/tests/core.learn.gp" --gtest_filter="$many" | results
 }
 per_draw() {
   "$build/tests/terratact-bench" --benchmark_filter=^draws 2>/dev/null | awk '/^draws/ { printf "%-40s %6.1f ns\n", $1, $4; if ($4 > most) most = $4 }
@@ -68,9 +66,9 @@ all cases. \`docs/extremes.sh $build\` made this page. The long forms and their 
 
 | what | tests | long form |
 |---|---|---|
-| truncated normal draws | \`tests/core/infer/sampling/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.sampling.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
-| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
-| surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.projected_process_test --gtest_filter='*ofAModelsSize'\` |
+| truncated normal draws | \`tests/core/infer/sampling/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.sampling --gtest_filter='*EveryOneOfManyDraws'\` |
+| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp --gtest_filter='*Sizes*'\` |
+| surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp --gtest_filter='*ofAModelsSize'\` |
 | the likelihood and its gradient against long double | \`tests/core/learn/gp/likelihood_test.cpp\` | |
 | estimates by all methods, cancelled at every poll, work between two polls | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
 | robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/rest/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |

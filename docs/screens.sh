@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
-# simulated robot, also on ground that differs left and right, the review of the shipped session, and ten states of
+# simulated robot, also on ground that differs left and right, the review of the shipped session, and nine states of
 # tests/app/console/screens/screens_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
@@ -17,13 +17,13 @@ lines() {
     for (k = 1; k <= n; ++k) {
       y = ys[k]
       printf "0.01,%s", y
-      for (i = 0; i <= 500; ++i) {
+      for (i = 0; i <= 1500; ++i) {
         x = 0.01 * i
         z = 0
         if (kind == "kerb") z = y > 0 && x >= 1.8 ? 0.2 : 0
         if (kind == "diagonal") z = x + 0.7 * y >= 2.0 ? 0.15 : 0
         if (kind == "slope") z = 0.17 * y + (x >= 1.9 ? 0.15 : 0)
-        if (kind == "hanging") z = x < 1.8 ? 0 : y > 0 ? 0.2 : -0.6
+        if (kind == "hanging") z = y > 0 ? (x < 1.8 ? 0 : 0.2) : x < 1.45 ? 0 : -0.6
         printf ",%.4f", z
       }
       print ""
@@ -38,7 +38,7 @@ build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screen
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
 TERRATACT_PICTURES="$all" build/release/tests/app.console.plots_page_test --gtest_filter='*fitInEvery*'
-for kind in kerb diagonal slope hanging; do
+for kind in level kerb diagonal slope hanging; do
   lines "$kind" >"$all/$kind.csv"
   build/release/app/terratact-console --terrain "$all/$kind.csv" --screenshot "$all/$kind.png"
 done
@@ -51,7 +51,7 @@ small "$all"/??-??_draws_second_method_and_a_bin_up_close.png docs/screens/draws
 small "$all"/??-??_probed.png docs/screens/probed.png
 small "$all"/??-??_page_signals.png docs/screens/signals.png
 small "$all"/??-??_alarms_of_a_lost_link.png docs/screens/alarms.png
-small "$all"/??-??_clear_to_a_horizon.png docs/screens/clear.png
+small "$all/level.png" docs/screens/clear.png
 small "$all"/??-??_proposed.png docs/screens/cannot_tell.png
 small "$all"/??-??_attitude_alarm.png docs/screens/attitude.png
 small "$all"/??-??_stuck_imu.png docs/screens/stuck_imu.png

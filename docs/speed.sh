@@ -49,7 +49,7 @@ a variance therefore goes through selected rows (\`core/learn/gp/sparse_process.
 variance, and all others together no more than 1 %.  They are chosen when a process is first used; the table shows how many of the products
 are left.  A mean goes through all rows, in double.  The result is compared with all rows where a process is first used.  It is not used
 where a variance is off by more than 0.2 % at sixteen probes.  This command prints how far variances of the shipped model are off, from
-likely to absurd states: \`build/headless/tests/core.learn.model.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is
+likely to absurd states: \`build/headless/tests/core.learn.model --gtest_filter='*SinglePrecision*'\`.  In double nothing is
 left out.
 
 *quadratic form*: measured with one bin's factor of all rows, which the nearest caches keep in part.  *rest*: the extra cost of nine bins'

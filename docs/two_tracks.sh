@@ -7,7 +7,7 @@
 set -eu
 terratact=$(realpath "$1")
 pairs=$(realpath "$2")
-rest=$(realpath "$3")/core.sim.rest.two_track_rest_test
+rest=$(realpath "$3")/core.sim
 cd "$(dirname "$0")"
 docs=$PWD
 folder=$(mktemp -d)
@@ -18,6 +18,32 @@ awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) if ($i == "kind") kind = i} NR == 1 
 page=$folder/two_tracks.md
 
 say() { printf '%s\n' "$@" >>"$page"; }
+
+# errors WORDS FOLDER CLASS MEDIAN MEAN: one row of the targets, errors of `two tracks` [mm].
+errors() {
+  awk -F, -v words="$1" -v class="$3" -v median="$4" -v mean="$5" '$1 == "two tracks" && $2 == class {
+    found = sprintf("%.1f / %.1f", 1000 * $4, 1000 * $5)
+    split(found, reached, " / ")
+    printf "| %s: median / mean error [mm] | %s / %s | %s | %s |\n", words, median, mean, found,
+      (reached[1] <= median + 0 && reached[2] <= mean + 0) ? "yes" : "no"
+  }' "$2/tracks.csv" >>"$page"
+}
+
+# bands WORDS FOLDER CLASS: one row of the targets, share of true heights in the 80 % bands.
+bands() {
+  awk -F, -v words="$1" -v class="$3" '$1 == "two tracks" && $2 == class {
+    printf "| %s: 80 %% bands cover [%%] | 76 … 86 | %.1f | %s |\n", words, 100 * $6, ($6 >= 0.76 && $6 <= 0.86) ? "yes" : "no"
+  }' "$2/tracks.csv" >>"$page"
+}
+
+# steps WORDS FOLDER BRIER: two rows of the targets, probability of a step.
+steps() {
+  awk -F, -v words="$1" -v brier="$3" '$1 == "two tracks" {
+    off = $7 - $8 < 0 ? $8 - $7 : $7 - $8
+    printf "| %s: Brier score of a step per side | %s | %.3f | %s |\n", words, brier, $3, ($3 <= brier + 0) ? "yes" : "no"
+    printf "| %s: mean P of either side less its share | 0.030 | %.3f | %s |\n", words, off, (off <= 0.03) ? "yes" : "no"
+  }' "$2/track_steps.csv" >>"$page"
+}
 
 # Runs terratact and prints the command with its output.
 show() {
@@ -30,8 +56,8 @@ say '# Two tracks' '' \
   'The command above each number printed it. This command made the whole page,' '' \
   "    docs/two_tracks.sh path/to/terratact $(basename "$pairs") build/release/tests" '' \
   'with the shipped model. Its two tracks learnt from simulated drives over generated ground alone' \
-  '(`resources/models/make_default.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line,' \
-  'bins from +0.3 m on those of the flippers'"'"' line. The approaches are' '' \
+  '(`resources/models/make_default.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line.' \
+  'Bins from +0.3 m on are those of the flippers'"'"' line. The last section compares them with the targets. The approaches are' '' \
   '- `two tracks`: both sides together; a scene that is symmetric within its noise is estimated as one plane;' \
   '- `always two`: both sides together in every scene;' \
   '- `one plane`: the model of one plane on the means of both sides, for both sides;' \
@@ -71,5 +97,24 @@ say '' '## The simulated rest pose' '' 'On equal lines, poses are those of the s
   "    $(basename "$rest")" '' '```'
 "$rest" --gtest_filter='TwoTrackRest.on*' | grep -E '^(equal lines|mirrored ground)' >>"$page"
 say '```'
+
+say '' '## Targets' '' \
+  'At most, or between, for `two tracks` by the method *local*. The bands of generated and of real ground have the same target.' '' \
+  '| ground, class: number | target | reached | met |' '|---|---|---|---|'
+errors 'generated, all' generated all 13 27
+errors 'generated, within' generated within 11 24
+errors 'generated, beyond' generated beyond 14.5 28.5
+errors 'real, all' real all 10 24
+errors 'real, within' real within 6.5 11.5
+errors 'real, beyond' real beyond 15.5 32
+errors 'real, mild cross slope' mild all 9.5 24
+errors 'real, bin +0.6 m' real "'+0.6 m" 13 28
+errors 'real, bin +0.7 m' real "'+0.7 m" 21 41
+for ground in generated real mild; do
+  for class in all within beyond; do bands "$ground, $class" $ground $class; done
+done
+steps generated generated 0.150
+steps real real 0.102
+steps 'real, mild cross slope' mild 0.102
 
 mv "$page" "$docs/two_tracks.md"

@@ -1,6 +1,5 @@
-"""Files that docs/development.md and the READMEs of rooms name are there. The README around a room names the room. Sources
-stay short."""
-
+"""Files that docs/development.md and the READMEs of rooms name are there. The README around a room names the room.
+Test programs that the documents run are there. Sources stay short."""
 import os
 import pathlib
 import re
@@ -9,6 +8,7 @@ import unittest
 SOURCE = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"])
 ROOMS = ("app", "core", "drivers", "widgets")
 FILE = re.compile(r"`((?:[\w.-]+/)*[\w.-]+\.(?:h|cpp))`")
+PROGRAM = re.compile(r'(?:\$build|\$3"\)|build/\w+)/(?:tests/)?((?:app|core|drivers|widgets)\.[\w.]+)')
 NAME = re.compile(r"\(((?:`[\w:]+`(?:, )?)+)\)")
 
 
@@ -66,6 +66,17 @@ class Rooms(unittest.TestCase):
             if around and f"`{room.relative_to(around)}/`" not in (around / "README.md").read_text():
                 unnamed.append(str(room.relative_to(SOURCE)))
         self.assertEqual(unnamed, [])
+
+
+class TestPrograms(unittest.TestCase):
+    def test_every_one_that_a_document_runs_is_there(self):
+        cmake = "".join(path.read_text() for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
+        known = {name.replace("/", ".") for name in re.findall(r"\bterratact_test\(([\w/]+)", cmake)}
+        self.assertGreater(len(known), 50)
+        named = [(path.name, name) for path in (SOURCE / "docs").iterdir() if path.suffix in (".md", ".sh")
+                 for name in PROGRAM.findall(path.read_text())]
+        self.assertGreater(len(named), 5)
+        self.assertEqual([(page, name) for page, name in named if name not in known], [])
 
 
 class Sources(unittest.TestCase):
