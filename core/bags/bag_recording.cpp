@@ -10,6 +10,7 @@
 #include "core/bags/bag_file.h"
 #include "core/bags/byte_cursor.h"
 #include "core/bags/decompress.h"
+#include "core/bags/schema_texts.h"
 #include "core/base/text.h"
 #include "core/store/file_read.h"
 
@@ -45,10 +46,10 @@ public:
         }
     }
 
-    std::string text(std::string_view name) const
+    std::string_view text(std::string_view name) const
     {
         const auto found = fields_.find(name);
-        return found == fields_.end() ? std::string() : std::string(found->second);
+        return found == fields_.end() ? std::string_view() : found->second;
     }
 
     template <class T>
@@ -149,12 +150,14 @@ private:
             || topics_.size() >= kMaxTopics)
             return;
         const BagFields about(record.data);
-        RecordedTopic topic{
-            .name = fields.text("topic"),
-            .type = about.text("type"),
-            .encoding = "ros1",
-            .schemaEncoding = "ros1msg",
-            .schema = std::make_shared<const std::string>(about.text("message_definition"))};
+        RecordedTopic topic{.name = keptName(fields.text("topic")),
+                            .type = keptName(about.text("type")),
+                            .encoding = "ros1",
+                            .schemaEncoding = "ros1msg"};
+        if (const auto kept = texts_.keep(topic.type, about.text("message_definition")))
+            topic.schema = *kept;
+        else
+            remark(kept.error().text);
         topicOf_[*id] = topics_.size();
         topics_.push_back(std::move(topic));
     }
@@ -280,6 +283,7 @@ private:
 
     BagFile file_;
     ChunkUnpacker unpacker_;
+    SchemaTexts texts_;
     std::map<std::uint32_t, std::size_t> topicOf_;  ///< by connection
     std::map<std::uint64_t, std::vector<std::uint32_t>>
         chunks_;  ///< connections, by the chunk's offset

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/bags/decompress.h"
+#include "core/bags/schema_texts.h"
 #include "core/base/text.h"
 #include "core/store/content_kind.h"
 #include "core/store/file_read.h"
@@ -18,7 +19,7 @@ namespace {
 /// A definition of message_definitions.
 struct StoredDefinition {
     std::string encoding;
-    std::shared_ptr<const std::string> text;
+    std::shared_ptr<const std::string> text;  ///< null: SchemaTexts does not keep it
 };
 
 bool hasTable(SqliteFile& file, const char* name)
@@ -29,28 +30,17 @@ bool hasTable(SqliteFile& file, const char* name)
     return query.step() && query.integer(0) == 1;
 }
 
-std::map<std::string, StoredDefinition> definitionsOf(SqliteFile& file)
-{
-    std::map<std::string, StoredDefinition> all;
-    if (!hasTable(file, "message_definitions")) return all;
-    SqliteStatement rows = file.prepare(
-        "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
-    while (rows.step() && all.size() < MessageSchema::kMaxStructs)
-        all[rows.text(0)] = {.encoding = rows.text(1),
-                             .text = std::make_shared<const std::string>(rows.text(2))};
-    return all;
-}
-
 class Db3Recording final : public Recording {
 public:
     Db3Recording(const std::string& path, SqliteFile file) : Recording(path), file_(std::move(file))
     {
-        const auto definitions = definitionsOf(file_);
+        const auto definitions = readDefinitions();
         SqliteStatement rows =
             file_.prepare("SELECT id, name, type, serialization_format FROM topics ORDER BY id");
         while (rows.step() && topics_.size() < kMaxTopics) {
-            RecordedTopic topic{
-                .name = rows.text(1), .type = rows.text(2), .encoding = rows.text(3)};
+            RecordedTopic topic{.name = keptName(rows.text(1)),
+                                .type = keptName(rows.text(2)),
+                                .encoding = keptName(rows.text(3))};
             if (const auto found = definitions.find(topic.type); found != definitions.end()) {
                 topic.schemaEncoding = found->second.encoding;
                 topic.schema = found->second.text;
@@ -104,6 +94,23 @@ public:
 
 private:
     static constexpr std::uint64_t kStepsPerGrant = 100;
+
+    /// Returns the definitions of the file by their types.
+    std::map<std::string, StoredDefinition> readDefinitions()
+    {
+        std::map<std::string, StoredDefinition> all;
+        if (!hasTable(file_, "message_definitions")) return all;
+        SchemaTexts texts;
+        SqliteStatement rows = file_.prepare(
+            "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
+        while (rows.step() && all.size() < MessageSchema::kMaxStructs) {
+            const std::string type = keptName(rows.text(0));
+            const auto kept = texts.keep(type, rows.text(2));
+            all[type] = {.encoding = keptName(rows.text(1)), .text = kept ? *kept : nullptr};
+            if (!kept) remark(kept.error().text);
+        }
+        return all;
+    }
 
     /// SQLite stores any type in any column.
     bool hasTypes() const

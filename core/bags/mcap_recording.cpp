@@ -11,6 +11,7 @@
 #include "core/bags/bag_file.h"
 #include "core/bags/byte_cursor.h"
 #include "core/bags/decompress.h"
+#include "core/bags/schema_texts.h"
 #include "core/base/text.h"
 #include "core/store/file_read.h"
 
@@ -48,14 +49,18 @@ class McapChannels {
 public:
     explicit McapChannels(std::vector<RecordedTopic>& topics) : topics_(topics) {}
 
-    void addSchema(std::string_view record)
+    /// Errors are those of SchemaTexts; the channels of the schema then have no definition.
+    Status addSchema(std::string_view record)
     {
         ByteCursor in(record);
         const auto id = in.number<std::uint16_t>();
-        McapSchema schema{
-            .name = std::string(in.text()), .encoding = std::string(in.text()), .text = {}};
-        schema.text = std::make_shared<const std::string>(in.text());
-        if (in.isValid() && schemas_.size() < kMost) schemas_.try_emplace(id, std::move(schema));
+        McapSchema schema{.name = keptName(in.text()), .encoding = keptName(in.text()), .text = {}};
+        const std::string_view text = in.text();
+        if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMost) return Done{};
+        const auto kept = texts_.keep(schema.name, text);
+        if (kept) schema.text = *kept;
+        schemas_.emplace(id, std::move(schema));
+        return kept ? Status(Done{}) : kept.error();
     }
 
     void addChannel(std::string_view record)
@@ -63,7 +68,7 @@ public:
         ByteCursor in(record);
         const auto id = in.number<std::uint16_t>();
         const auto schema = in.number<std::uint16_t>();
-        RecordedTopic topic{.name = std::string(in.text()), .encoding = std::string(in.text())};
+        RecordedTopic topic{.name = keptName(in.text()), .encoding = keptName(in.text())};
         if (!in.isValid() || topicOf_.contains(id) || topics_.size() >= kMost) return;
         if (const auto found = schemas_.find(schema); found != schemas_.end()) {
             topic.type = found->second.name;
@@ -98,6 +103,7 @@ private:
     static constexpr std::size_t kMost = 10'000;
 
     std::vector<RecordedTopic>& topics_;
+    SchemaTexts texts_;
     std::map<std::uint16_t, McapSchema> schemas_;
     std::map<std::uint16_t, std::size_t> topicOf_;
 };
@@ -175,7 +181,10 @@ private:
 
     void addCommon(McapOp op, std::string_view record)
     {
-        if (op == McapOp::Schema) channels_.addSchema(record);
+        if (op == McapOp::Schema) {
+            const Status kept = channels_.addSchema(record);
+            if (!kept) remark(kept.error().text);
+        }
         if (op == McapOp::Channel) channels_.addChannel(record);
         if (op == McapOp::Statistics) channels_.addStatistics(record);
     }

@@ -11,6 +11,12 @@
 
 namespace terratact {
 
+std::string keptName(std::string_view name)
+{
+    if (name.size() <= kMaxTopicName) return std::string(name);
+    return std::string(beginningOf(name, kMaxTopicName)) + "…";
+}
+
 Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
 {
     if (topic.encoding == "json") return MessageDecoder(Encoding::Json);
@@ -52,6 +58,13 @@ Result<FieldValue> MessageDecoder::decode(std::string_view data) const
     case Encoding::Cdr: return decodeCdr(schema_, data);
     }
     return Error{"has an unknown encoding"};
+}
+
+std::size_t MessageDecoder::parts() const
+{
+    std::size_t count = schema_.structs.size();
+    for (const MessageSchema::Struct& of : schema_.structs) count += of.fields.size();
+    return count;
 }
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,13 +13,21 @@
 
 namespace terratact {
 
-/// A topic (or channel) of a recording with the definition of its messages.
+/// Longest name, type or encoding of a topic [bytes], as in ROS 2.
+inline constexpr std::size_t kMaxTopicName = 255;
+
+/// Returns a name, type or encoding of a file, cut after kMaxTopicName bytes with "…": many channels and
+/// errors repeat it.
+std::string keptName(std::string_view name);
+
+/// A topic (or channel) of a recording with the definition of its messages. keptName() cuts its texts.
 struct RecordedTopic {
     std::string name{};            ///< "/imu/data"
     std::string type{};            ///< "sensor_msgs/Imu"
     std::string encoding{};        ///< of its messages: "ros1", "cdr", "json", "csv", …
     std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …
-    /// Definition of the messages, which several topics may share; null: the file has none.
+    /// Definition of the messages, which several topics may share; null: the file has none, or none that
+    /// SchemaTexts keeps.
     std::shared_ptr<const std::string> schema{};
     std::optional<std::uint64_t> messages{};  ///< their number, if the file's index says it
 };
@@ -33,6 +42,9 @@ public:
 
     /// Errors state the cause, without the topic.
     Result<FieldValue> decode(std::string_view data) const;
+
+    /// Returns the number of structs and fields of the definition; 0 for JSON.
+    std::size_t parts() const;
 
 private:
     enum class Encoding : std::uint8_t { Json, Ros1, Cdr };

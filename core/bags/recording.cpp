@@ -104,21 +104,36 @@ const Result<MessageDecoder>& Recording::decoderOf(std::size_t topic)
         const RecordedTopic& t = topics_[topic];
         const DecoderKey key{t.type, t.encoding, t.schemaEncoding, t.schema.get()};
         auto found = decoders_.find(key);
-        if (found == decoders_.end()) found = decoders_.emplace(key, MessageDecoder::of(t)).first;
+        if (found == decoders_.end()) found = decoders_.emplace(key, newDecoder(t)).first;
         decoderOfTopic_[topic] = &found->second;
     }
     return *decoderOfTopic_[topic];
 }
 
+Result<MessageDecoder> Recording::newDecoder(const RecordedTopic& topic)
+{
+    auto decoder = MessageDecoder::of(topic);
+    if (!decoder) return decoder;
+    if (decoder->parts() > kMaxParts - parts_)
+        return Error{fmt::format("the definition of {} is left out: with it, the definitions of "
+                                 "this recording have more than {} structs and fields",
+                                 printable(topic.type), kMaxParts)};
+    parts_ += decoder->parts();
+    return decoder;
+}
+
 Result<FieldValue> Recording::decode(const RecordedMessage& message)
 {
     const Result<MessageDecoder>& decoder = decoderOf(message.topic);
-    const std::string name = printable(topics_[message.topic].name);
-    if (!decoder) return fileError(path_, fmt::format("topic {}: {}", name, decoder.error().text));
+    const auto fault = [&](std::string_view cause) {
+        return fileError(
+            path_, fmt::format("topic {}: {}", printable(topics_[message.topic].name), cause));
+    };
+    if (!decoder) return fault(decoder.error().text);
     auto value = decoder->decode(message.data);
     if (value) return value;
-    return fileError(path_, fmt::format("topic {}: the message at {} {} {}", name, offsetUnit(),
-                                        message.offset, value.error().text));
+    return fault(
+        fmt::format("the message at {} {} {}", offsetUnit(), message.offset, value.error().text));
 }
 
 Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const CsvTime& csv)

@@ -66,8 +66,11 @@ public:
     /// The same as next(), and calls the watch: for readers of whole recordings.
     Result<bool> read(RecordedMessage& message);
 
-    /// Decodes a message that next() returned. Errors name the file, the topic and the message's place.
+    /// Decodes a message that next() returned. Errors name the file, the topic and the message's place. One of
+    /// them: the definitions of all decoded topics have more than kMaxParts structs and fields.
     virtual Result<FieldValue> decode(const RecordedMessage& message);
+
+    static constexpr std::size_t kMaxParts = 100'000;
 
     /// Returns the sentences about damage since the last call, without the file's name.
     std::vector<std::string> consumeRemarks();
@@ -93,7 +96,9 @@ private:
     /// What a decoder depends on: type, encodings and definition. Many topics may share one.
     using DecoderKey = std::tuple<std::string, std::string, std::string, const std::string*>;
     const Result<MessageDecoder>& decoderOf(std::size_t topic);
+    Result<MessageDecoder> newDecoder(const RecordedTopic& topic);
 
+    std::size_t parts_ = 0;  ///< of all decoders
     std::map<DecoderKey, Result<MessageDecoder>> decoders_;
     std::vector<const Result<MessageDecoder>*> decoderOfTopic_;  ///< null: not used yet
 };

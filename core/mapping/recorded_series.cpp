@@ -110,7 +110,7 @@ private:
 
     Status add(const RecordedMessage& message)
     {
-        const std::string topic = recording_.topics()[message.topic].name;
+        const std::string& topic = recording_.topics()[message.topic].name;
         const auto value = recording_.decode(message);
         if (!value) {
             decoding_.broken(topic, value.error());

@@ -14,6 +14,7 @@ FRAME = "(1793000000.000000) can0 123#00\n"
 DBC = 'VERSION ""\nBU_: Gas\n'
 MESSAGE = DBC + "BO_ 291 M: 8 Gas\n"
 SIGNAL = ' SG_ S : 0|8@1+ (1,0) [0|0] "" X\n'
+SELECTED = "(1793000000.000000) can0 123#10\n"  # Y = 1 and X = 0 of many_ranges()
 
 
 def lines(size, line):
@@ -81,11 +82,21 @@ def dbc_files(size):
         "many comments": MESSAGE + SIGNAL + 'CM_ SG_ 291 S "c";\n' * (size // 20),
         "many values": MESSAGE + SIGNAL + "VAL_ 291 S " + lines(size, lambda i: f'{i} "a" ') + ";\n",
         "an open string": DBC + 'CM_ "' + "x" * size,
+        "escaped quotes": MESSAGE + SIGNAL + 'XX_ \\"\n' * (size // 7),
         "one long name": DBC + "BO_ 291 " + "M" * size + ": 8 Gas\n",
         "many attributes": DBC + lines(size, lambda i: f'BA_DEF_ BO_ "a{i}" STRING ;\nBA_ "a{i}" BO_ 291 "x";\n'),
         "many multiplexed signals": MESSAGE + ' SG_ X M : 0|8@1+ (1,0) [0|0] "" X\n'
                                     + lines(size, lambda i: f' SG_ S{i} m{i} : 8|8@1+ (1,0) [0|0] "" X\n'),
     }
+
+
+def many_ranges(size):
+    """Makes a multiplexor Y, which many ranges of X select, and signals below it. None selects it in SELECTED."""
+    signals = range(4000)
+    return (MESSAGE + ' SG_ X M : 0|4@1+ (1,0) [0|0] "" X\n SG_ Y m1M : 4|4@1+ (1,0) [0|0] "" X\n'
+            + "".join(f' SG_ S{i} m1 : 8|8@1+ (1,0) [0|0] "" X\n' for i in signals)
+            + "".join(f"SG_MUL_VAL_ 291 S{i} Y 1-1;\n" for i in signals)
+            + "SG_MUL_VAL_ 291 Y X " + lines(size // 2, lambda i: f"{2 * i + 1}-{2 * i + 1},") + "1-1;\n")
 
 
 def toml_files(size, robot):
@@ -109,29 +120,76 @@ def mcap_text(text):
     return struct.pack("<I", len(text)) + text
 
 
-def mcap_channel(number, schema, encoding):
-    return 4, struct.pack("<HH", number, schema) + mcap_text(b"/t%d" % number) + mcap_text(encoding) + mcap_text(b"")
+def mcap_schema(number, name, text):
+    return 3, struct.pack("<H", number) + mcap_text(name) + mcap_text(b"ros1msg") + mcap_text(text)
+
+
+def mcap_channel(number, schema, encoding, name=None):
+    name = name or b"/t%d" % number
+    return 4, struct.pack("<HH", number, schema) + mcap_text(name) + mcap_text(encoding) + mcap_text(b"")
 
 
 def mcap_message(channel, data):
     return 5, struct.pack("<HIQQ", channel, 0, 1, 1) + data
 
 
-def mcap_chunk(records):
+def mcap_chunk(*content):
+    records = mcap(*content)[8:]
     packed = bz2.compress(records)
     return 6, struct.pack("<QQQI", 0, 0, len(records), 0) + mcap_text(b"bz2") + struct.pack("<Q", len(packed)) + packed
+
+
+def bag_record(data, **fields):
+    header = b"".join(mcap_text(name.encode() + b"=" + value) for name, value in fields.items())
+    return mcap_text(header) + mcap_text(data)
+
+
+def bag_chunk(size, packed):
+    return bag_record(packed, op=b"\x05", compression=b"bz2", size=struct.pack("<I", size))
+
+
+def bag_connection(number, definition):
+    about = mcap_text(b"type=p/T") + mcap_text(b"message_definition=" + definition)
+    return bag_record(about, op=b"\x07", conn=struct.pack("<I", number), topic=b"/t%d" % number)
+
+
+BAG = b"#ROSBAG V2.0\n" + bag_record(b"", op=b"\x03", index_pos=bytes(8))
+
+
+def definitions():
+    """Makes recordings of a few kilobytes whose chunks expand to large message definitions."""
+    large = b" " * ((16 << 20) - 1000)
+    megabyte = (1 << 20) - 100
+    fields = b"E e\n" * 9990 + b"===\nMSG: p/E\n"
+    channel, message = mcap_channel(1, 0, b"json"), mcap_message(1, b"1")
+    connections = [bag_connection(i, large) for i in range(4)]
+    chunks = [range(first, first + 15) for first in (1, 16, 31, 46)]
+    return {
+        "large definitions.mcap": mcap(channel, message,
+                                       *[mcap_chunk(mcap_schema(i, b"p/T", large)) for i in range(1, 5)]),
+        "many definitions.mcap": mcap(channel, message,
+                                      *[mcap_chunk(*[mcap_schema(i, b"p/T%d" % i, b" " * megabyte) for i in chunk])
+                                        for chunk in chunks]),
+        "definitions of many fields.mcap": mcap(mcap_chunk(
+            *[record for i in range(1, 391) for record in (mcap_schema(i, b"p/T%d" % i, fields),
+                                                           mcap_channel(i, i, b"ros1"), mcap_message(i, b""))])),
+        "large definitions.bag": BAG + b"".join(bag_chunk(len(c), bz2.compress(c)) for c in connections),
+    }
 
 
 def recordings(size):
     def json(text):
         return mcap(mcap_channel(1, 0, b"json"), mcap_message(1, text))
 
-    schema = (3, struct.pack("<H", 1) + mcap_text(b"p/T") + mcap_text(b"ros1msg") + mcap_text(b"bool a\n" * (size // 14)))
-    empties = (3, struct.pack("<H", 1) + mcap_text(b"p/T") + mcap_text(b"ros1msg") + mcap_text(b"E[] e\n===\nMSG: p/E\n"))
+    schema = mcap_schema(1, b"p/T", b"bool a\n" * (size // 14))
+    empties = mcap_schema(1, b"p/T", b"E[] e\n===\nMSG: p/E\n")
     bomb = bz2.compress(b"\0" * 400 * size)
-    fields = b"".join(mcap_text(f) for f in (b"op=\x05", b"compression=bz2", b"size=" + struct.pack("<I", 400 * size)))
-    first = mcap_text(mcap_text(b"op=\x03") + mcap_text(b"index_pos=" + bytes(8))) + mcap_text(b"")
     return {
+        **definitions(),
+        "a long name.mcap": mcap(mcap_channel(1, 0, b"json", b"n" * (size // 2)),
+                                 *[mcap_message(1, b"1")] * (size // 68)),
+        "channels of a long type.mcap": mcap(mcap_schema(1, b"T" * (size // 2), b""),
+                                             *[mcap_channel(i, 1, b"ros1") for i in range(size // 120)]),
         "nested arrays.mcap": json(b"[" * 60_000),
         "empty arrays.mcap": json(b"[" + b"[]," * 20_000 + b"[]]"),
         "many members.mcap": json(b"{" + b",".join(b'"a%d":1' % i for i in range(6000)) + b"}"),
@@ -141,11 +199,11 @@ def recordings(size):
         "elements without bytes.mcap": mcap(empties, mcap_channel(1, 1, b"ros1"), mcap_message(1, b"\xff\xff\xff\xff"))
                                        + b"\0" * size,
         "a chunk that declares 2^60 bytes.mcap": mcap((6, b"")) + struct.pack("<BQ", 6, 1 << 60),
-        "one chunk many times.mcap": mcap(*[mcap_chunk(mcap(mcap_channel(1, 0, b"json"), *[mcap_message(1, b"1")]
-                                                            * 200_000)[8:])] * 20),
-        "many values.mcap": mcap(mcap_channel(1, 0, b"json"), mcap_chunk(
-            mcap(*[mcap_message(1, b"[" + b"1," * 60 + b"1]")] * 20_000)[8:])),
-        "zeros in bzip2.bag": b"#ROSBAG V2.0\n" + first + (mcap_text(fields) + mcap_text(bomb)) * 20,
+        "one chunk many times.mcap": mcap(*[mcap_chunk(mcap_channel(1, 0, b"json"),
+                                                       *[mcap_message(1, b"1")] * 200_000)] * 20),
+        "many values.mcap": mcap(mcap_channel(1, 0, b"json"),
+                                 mcap_chunk(*[mcap_message(1, b"[" + b"1," * 60 + b"1]")] * 20_000)),
+        "zeros in bzip2.bag": BAG + bag_chunk(400 * size, bomb) * 20,
         "many columns.csv": "t," + lines(size, lambda i: f"c{i},") + "\n" + "1," * 1000 + "\n",
         "many rows.csv": "t,a\n" + lines(size, lambda i: f"{i},1\n"),
     }
@@ -263,6 +321,10 @@ def all_readers(folder, size, program, source):
     for title, content in dbc_files(size).items():
         path = written("d.dbc", content)
         yield f"DBC: {title}", path, ("can", "decode", log, "--summary", "--dbc", path)
+    path, log = written("d.dbc", dbc_files(size)["many signals"]), written("many.log", FRAME * (size // len(FRAME)))
+    yield "DBC: many signals of many frames", path, ("can", "decode", log, "--summary", "--dbc", path)
+    path, log = written("d.dbc", many_ranges(size)), written("selected.log", SELECTED * 1000)
+    yield "DBC: many ranges for many signals", path, ("can", "decode", log, "--dbc", path)
     robot = pathlib.Path(source, "resources/robots/absolem.toml").read_text()
     small = toml_files(65_000 - len(robot.encode()), robot)  # of at most 64 KiB
     for title, content in {**small, "too large": robot + "#" * size}.items():

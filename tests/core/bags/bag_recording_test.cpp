@@ -83,6 +83,25 @@ TEST_F(BagFiles, damagedChunksAndMessagesAreLeftOut)
     EXPECT_EQ(read(someMessages().bytes() + huge.bytes()).messages, all);
 }
 
+TEST_F(BagFiles, aDefinitionThatIsTooLargeCostsItsTopic)
+{
+    BagBytes bag = someMessages();
+    bag.connection(2, "/" + std::string(1000, 'n'), "p/T",
+                   std::string(MessageSchema::kMaxText + 1, ' '));
+    bag.message(2, 8, 0, number(3.5));
+    const ReadRecording found = read(bag.chunk("bz2").bytes());
+    ASSERT_EQ(found.messages.size(), 3U);
+    EXPECT_EQ(found.messages[0], all[0]);
+    EXPECT_EQ(found.messages[1], all[1]);
+    EXPECT_EQ(found.messages[2].find("/" + std::string(kMaxTopicName - 1, 'n') + "… 8"), 0U)
+        << found.messages[2];
+    EXPECT_NE(found.messages[2].find("the file lacks the definition of p/T"), std::string::npos)
+        << found.messages[2];
+    ASSERT_EQ(found.remarks.size(), 2U) << "no index; the definition";
+    EXPECT_NE(found.remarks[1].find("the definition of p/T has 1048577 bytes"), std::string::npos)
+        << found.remarks[1];
+}
+
 TEST_F(BagFiles, otherVersionsAreNamed)
 {
     const auto opened = openRecording(directory.write("a.bag", "#ROSBAG V1.2\nfoo"));

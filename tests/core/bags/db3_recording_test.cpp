@@ -95,6 +95,27 @@ TEST_F(Db3Files, definitionsInTheFileAreUsed)
     EXPECT_EQ(read(path), std::vector<std::string>{"/b 6 2.500000"});
 }
 
+TEST_F(Db3Files, aDefinitionThatIsTooLargeCostsItsTopic)
+{
+    const std::string path = written(
+        tables()
+        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
+          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
+          "INSERT INTO message_definitions VALUES(1, 'p/msg/T', 'ros2msg', "
+          "replace(hex(zeroblob(524289)), '0', ' '), '');"
+          "UPDATE topics SET name = replace(hex(zeroblob(500)), '0', 'n') WHERE id = 1;"
+        + message(1, 5, number(1.5)) + message(2, 6, number(2.5)));
+    const auto found = read(path);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0], std::string(kMaxTopicName, 'n') + "… 5 1.500000");
+    EXPECT_NE(found[1].find("topic /b: the file lacks the definition of p/msg/T"),
+              std::string::npos)
+        << found[1];
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_EQ(remarks[0],
+              "the definition of p/msg/T has 1048578 bytes, more than 1048576; it is left out");
+}
+
 TEST_F(Db3Files, otherDatabasesAreRefused)
 {
     const auto opened = openRecording(written("CREATE TABLE messages(id INTEGER);"));

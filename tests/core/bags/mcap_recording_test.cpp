@@ -130,6 +130,58 @@ TEST_F(McapFiles, wrongDefinitionsNameFileTopicAndPlace)
     EXPECT_NE(value.error().text.find("member 'data'"), std::string::npos) << value.error().text;
 }
 
+TEST_F(McapFiles, longNamesOfTopicsAreCut)
+{
+    McapBytes mcap;
+    mcap.schema(1, std::string(1000, 't'), "jsonschema", "{}");
+    mcap.channel(1, 1, "/" + std::string(1000, 'n'), "json").message(1, 5, "1");
+    const auto recording = openRecording(path(mcap.file()));
+    ASSERT_TRUE(recording);
+    RecordedMessage message;
+    ASSERT_TRUE(*(*recording)->next(message));
+    EXPECT_EQ((*recording)->topics().at(0).name, "/" + std::string(kMaxTopicName - 1, 'n') + "…");
+    EXPECT_EQ((*recording)->topics().at(0).type, std::string(kMaxTopicName, 't') + "…");
+}
+
+TEST_F(McapFiles, aDefinitionThatIsTooLargeCostsItsTopic)
+{
+    McapBytes mcap = begun();
+    mcap.schema(2, "p/msg/T", "ros2msg", std::string(MessageSchema::kMaxText + 1, ' '));
+    mcap.schema(3, "p/msg/T", "jsonschema", std::string(MessageSchema::kMaxText + 1, ' '));
+    mcap.channel(3, 2, "/c", "cdr").channel(4, 3, "/d", "json");
+    mcap.message(1, 5, number(1.5)).message(3, 6, number(2.5)).message(4, 7, R"({"data":3.5})");
+    const ReadRecording found = read(mcap.chunk("zstd").file());
+    ASSERT_EQ(found.messages.size(), 3U);
+    EXPECT_EQ(found.messages[0], "/a 5 1.500000");
+    EXPECT_NE(found.messages[1].find("topic /c: the file lacks the definition of p/msg/T"),
+              std::string::npos)
+        << found.messages[1];
+    EXPECT_EQ(found.messages[2], "/d 7 3.500000") << "it needs none";
+    ASSERT_EQ(found.remarks.size(), 3U) << "no index; two definitions";
+    EXPECT_NE(found.remarks[1].find("the definition of p/msg/T has 1048577 bytes"),
+              std::string::npos)
+        << found.remarks[1];
+}
+
+TEST_F(McapFiles, decodersHaveABoundedNumberOfFields)
+{
+    constexpr std::uint16_t kDefinitions = 11;
+    std::string fields;
+    for (int i = 0; i < 9990; ++i) fields += "bool a\n";
+    McapBytes mcap;
+    for (std::uint16_t i = 1; i <= kDefinitions; ++i) {
+        mcap.schema(i, "p/msg/T" + std::to_string(i), "ros2msg", fields);
+        mcap.channel(i, i, "/" + std::to_string(i), "cdr").message(i, 5, "");
+    }
+    const ReadRecording found = read(mcap.file());
+    ASSERT_EQ(found.messages.size(), std::size_t{kDefinitions});
+    for (std::size_t i = 0; i < kDefinitions; ++i)
+        EXPECT_EQ(found.messages[i].find("more than 100000 structs and fields")
+                      != std::string::npos,
+                  i + 1 == kDefinitions)
+            << found.messages[i];
+}
+
 TEST_F(McapFiles, messagesOfUnknownChannelsAreLeftOut)
 {
     McapBytes mcap = begun();
