@@ -112,7 +112,7 @@ private:
             return log_.error(Message::verbatim(
                 fmt::format("is of the {}th interface: so many are not believed", kMaxBuses + 1)));
         Bus& bus = buses_[logged.interface];
-        if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
+        if (!bus.reader) bus.reader = frameReader(options_.protocol, book_, depth());
         if (logged.time && !begin_) begin_ = logged.time;
         // Uses the log's even clock, because the recording machine's clock may have been set.
         const double now = log_.elapsed();
@@ -123,6 +123,11 @@ private:
         if (csv_) csv_->write(logged, words);
         if (!options_.summaryOnly) print(logged, words);
         return Done{};
+    }
+
+    FrameDepth depth() const
+    {
+        return options_.summaryOnly && !csv_ ? FrameDepth::Name : FrameDepth::Values;
     }
 
     void print(const LoggedFrame& logged, const FrameWords& words) const

@@ -87,8 +87,8 @@ std::string verdictOf(const DescribedFrame& described, const CanFrame& frame)
 
 class DescribingReader final : public FrameReader {
 public:
-    DescribingReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book)
-        : reader_(frameReader(protocol)), book_(std::move(book))
+    DescribingReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book, FrameDepth depth)
+        : reader_(frameReader(protocol)), book_(std::move(book)), depth_(depth)
     {
     }
     FrameWords read(const CanFrame& frame, double now) override
@@ -97,6 +97,7 @@ public:
         if (words.trouble != FrameTrouble::Unknown) return words;
         const auto described = book_->find(frame);
         if (!described) return words;
+        if (depth_ == FrameDepth::Name) return {.name = described->message.name};
         return {.name = described->message.name,
                 .verdict = verdictOf(*described, frame),
                 .trouble = FrameTrouble::None,
@@ -106,6 +107,7 @@ public:
 private:
     std::unique_ptr<FrameReader> reader_;
     std::shared_ptr<const DbcBook> book_;
+    FrameDepth depth_;
 };
 
 }  // namespace
@@ -212,10 +214,11 @@ std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& fram
     return said;
 }
 
-std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book)
+std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book,
+                                         FrameDepth depth)
 {
     if (!book) return frameReader(protocol);
-    return std::make_unique<DescribingReader>(protocol, std::move(book));
+    return std::make_unique<DescribingReader>(protocol, std::move(book), depth);
 }
 
 }  // namespace terratact

@@ -69,7 +69,11 @@ std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 /// Returns the signals present in a frame, as text.
 std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame);
 
+/// What a reader says of a frame that a DBC file describes: its name alone, or its verdict and values, too.
+enum class FrameDepth : std::uint8_t { Name, Values };
+
 /// Returns a reader of the protocol's frames that decodes all others with the book; a null book decodes none.
-std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book);
+std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book,
+                                         FrameDepth depth = FrameDepth::Values);
 
 }  // namespace terratact

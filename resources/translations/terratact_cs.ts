@@ -4864,10 +4864,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>není text v UTF-8: jeho písmena se čtou podle kódové stránky Windows 1252; vypadají-li špatně, uložte ho jako UTF-8</translation>
     </message>
     <message>
-        <source>%1: %2 more things are left out</source>
-        <translation>%1: dalších vynechaných věcí: %2</translation>
-    </message>
-    <message>
         <source>the byte order, 1 (little-endian) or 0</source>
         <translation>pořadí bajtů, 1 (little-endian) nebo 0</translation>
     </message>

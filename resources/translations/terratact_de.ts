@@ -4864,10 +4864,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist kein Text in UTF-8: seine Buchstaben werden nach Windows-Codepage 1252 gelesen; wo sie falsch aussehen, als UTF-8 speichern</translation>
     </message>
     <message>
-        <source>%1: %2 more things are left out</source>
-        <translation>%1: weitere ausgelassene Dinge: %2</translation>
-    </message>
-    <message>
         <source>the byte order, 1 (little-endian) or 0</source>
         <translation>die Bytereihenfolge, 1 (little-endian) oder 0</translation>
     </message>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace terratact {
@@ -59,6 +60,14 @@ double numberOf(const DbcSignal& signal, std::uint64_t bits)
     throw std::invalid_argument("DbcSignal: no such Type");
 }
 
+/// Returns true if a value of the signal's multiplexor selects it.
+bool selects(std::uint64_t value, const DbcSignal& signal)
+{
+    const auto above =
+        std::ranges::upper_bound(signal.selectedBy, value, {}, &DbcSignal::Selection::first);
+    return above != signal.selectedBy.begin() && value <= std::prev(above)->last;
+}
+
 /// Returns true if the multiplexors above a signal select it.
 bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFrame& frame)
 {
@@ -67,11 +76,7 @@ bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFra
         if (!below->selector || depth > DbcSignal::kMaxNesting) return false;
         const DbcSignal& multiplexor = message.payload[*below->selector];
         const std::optional<std::uint64_t> selected = bitsOf(multiplexor, frame);
-        const auto isIn = [&](const DbcSignal::Selection& range) {
-            return range.first <= *selected && *selected <= range.last;
-        };
-        if (!selected || std::none_of(below->selectedBy.begin(), below->selectedBy.end(), isIn))
-            return false;
+        if (!selected || !selects(*selected, *below)) return false;
         below = &multiplexor;
     }
     return true;

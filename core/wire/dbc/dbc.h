@@ -37,7 +37,9 @@ struct DbcSignal {
     double least = 0.0, most = 0.0;
     std::string unit, receivers, comment;
     std::map<std::int64_t, std::string> words;  ///< texts of raw values
-    std::vector<Selection> selectedBy;  ///< empty: the signal is in every frame of its message
+    /// In the order of their first values, without overlap. Empty: the signal is in every frame of
+    /// its message.
+    std::vector<Selection> selectedBy;
     /// The multiplexor of selectedBy, as an index of its message's payload. Multiplexors may be
     /// nested, at most kMaxNesting deep.
     std::optional<std::size_t> selector;
@@ -53,9 +55,12 @@ struct DbcMessage {
     bool extended = false;
     int length = 0;  ///< [bytes] 0 … 64
     std::string name, sender, comment;
-    std::vector<DbcSignal> payload;  ///< its signals; `signals` is a macro of Qt
+    std::vector<DbcSignal> payload;  ///< at most kMaxSignals; `signals` is a macro of Qt
     bool isParameterGroup = false;   ///< J1939: from any source address (parameterGroupOf)
     std::map<std::string, double> attributes;  ///< numeric attributes
+
+    /// 64 multiplexed pages of a frame of 8 bytes, with a signal for each bit.
+    static constexpr std::size_t kMaxSignals = 4096;
 
     /// Returns the time between two frames [s] (GenMsgCycleTime); 0: event-driven, or not in the
     /// file.

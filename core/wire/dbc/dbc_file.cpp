@@ -35,7 +35,7 @@ public:
             if (keyword != "SG_") messages_.endMessage();
             section(keyword, place.line);
             if (scan_.failure().empty()) continue;
-            warnings_.add(Message(TR_NOOP("core", "%1; this entry is left out"), scan_.failure()));
+            warnings_.addEntry(place.line, scan_.failure());
             scan_.recover(place);
         }
         messages_.endMessage();
@@ -69,7 +69,7 @@ private:
         if (keyword == "SG_") return messages_.signal(line);
         if (keyword == "NS_" || keyword == "BS_" || keyword == "BU_") return scan_.skipIndented();
         if (keyword == "VERSION")
-            return static_cast<void>(scan_.text(TR_NOOP("core", "the version")));
+            return static_cast<void>(scan_.lastText(TR_NOOP("core", "the version")));
         if (keyword == "CM_") comment();
         if (keyword == "VAL_") words(line);
         if (keyword == "SIG_VALTYPE_") valueType(line);
@@ -97,7 +97,7 @@ private:
         } else if (!of.empty()) {
             (void)scan_.word(TR_NOOP("core", "what the comment is about"));
         }
-        *comment = readable(scan_.text(TR_NOOP("core", "a comment")), kDbcText, true);
+        *comment = readable(scan_.lastText(TR_NOOP("core", "a comment")), kDbcText, true);
     }
 
     // Reads "VAL_ 256 Gear 0 "neutral" 1 "first" ;", but skips the values of an environment

@@ -15,7 +15,8 @@ inline constexpr std::size_t kMaxDbcBytes = 8U << 20U;
 struct DbcFile {
     std::string path;
     std::vector<DbcMessage> messages;  ///< in the file's order; every identifier is unique
-    std::vector<Message> warnings;     ///< "FILE: line 12: …": what was skipped, the first few
+    /// "FILE: line 12: …": what was skipped, the first few. The last names the lines of the others.
+    std::vector<Message> warnings;
 };
 
 /// Reads a DBC file. It reads messages, signals of either byte order, IEEE floats, nested
@@ -25,7 +26,9 @@ struct DbcFile {
 /// else Windows code page 1252.
 ///
 /// A line or signal that is not understood, impossible or a duplicate is skipped; a warning names
-/// its line. If the file describes no message, the Error names the first thing that was skipped.
+/// its line. So is a signal beyond the first DbcMessage::kMaxSignals of a message, and a comment
+/// without its closing quotation mark. If the file describes no message, the Error names the first
+/// thing that was skipped.
 Result<DbcFile> readDbc(const std::string& path);
 
 /// Reads the same from a text; errors and warnings call it `path`.

@@ -20,28 +20,60 @@ constexpr std::uint64_t kMax29Bits = 0x1FFF'FFFF, kMax11Bits = 0x7FF;
 constexpr std::string_view kSignalsOfNoFrame = "VECTOR__INDEPENDENT_SIG_MSG";
 constexpr int kMaxFrameLength = 64;  // [bytes]
 constexpr std::size_t kMaxWarnings = 20;
+constexpr std::size_t kMaxLineRanges = 50;
+
+/// Returns ranges of the same values in the order of selectedBy, so that each is found quickly.
+std::vector<DbcSignal::Selection> withoutOverlap(std::vector<DbcSignal::Selection> ranges)
+{
+    std::ranges::sort(ranges, {}, [](const auto& r) { return std::pair(r.first, r.last); });
+    std::vector<DbcSignal::Selection> merged;
+    for (const DbcSignal::Selection& range : ranges)
+        if (!merged.empty() && range.first <= merged.back().last)
+            merged.back().last = std::max(merged.back().last, range.last);
+        else
+            merged.push_back(range);
+    return merged;
+}
 
 }  // namespace
 
-void DbcWarnings::add(int line, const Message& what)
-{
-    add(Message(TR_NOOP("core", "line %1: %2"), line, what));
-}
-
 void DbcWarnings::add(Message what)
 {
-    if (file_.warnings.size() >= kMaxWarnings) {
-        ++omitted_;
-        return;
-    }
     file_.warnings.push_back(fileError(file_.path, std::move(what)).message);
+}
+
+void DbcWarnings::add(int line, const Message& what)
+{
+    list(line, Message(TR_NOOP("core", "line %1: %2"), line, what));
+}
+
+void DbcWarnings::addEntry(int line, const Message& failure)
+{
+    list(line, Message(TR_NOOP("core", "%1; this entry is left out"), failure));
+}
+
+void DbcWarnings::list(int line, Message what)
+{
+    if (file_.warnings.size() < kMaxWarnings) return add(std::move(what));
+    ++omitted_;
+    const int behind = lines_.empty() ? -1 : line - lines_.back().second;
+    if (behind == 0 || behind == 1)
+        lines_.back().second = line;
+    else if (lines_.size() <= kMaxLineRanges)
+        lines_.emplace_back(line, line);
 }
 
 void DbcWarnings::end()
 {
-    if (omitted_ > 0)
-        file_.warnings.emplace_back(TR_NOOP("core", "%1: %2 more things are left out"), file_.path,
-                                    omitted_);
+    if (omitted_ == 0) return;
+    std::string lines;
+    for (std::size_t i = 0; i < std::min(lines_.size(), kMaxLineRanges); ++i) {
+        const auto& [first, last] = lines_[i];
+        lines += fmt::format("{}{}", i > 0 ? ", " : "", first);
+        if (last > first) lines += fmt::format("–{}", last);
+    }
+    if (lines_.size() > kMaxLineRanges) lines += ", …";
+    add(Message(TR_NOOP("core", "%1 more things are left out, in lines %2"), omitted_, lines));
 }
 
 // Reads "BO_ 256 Engine: 8 Gateway".
@@ -194,6 +226,11 @@ void DbcMessages::keep(DbcSignal s, const Multiplexing& multiplexing)
                              Message(TR_NOOP("core", "the signal %1 is left out: it does not fit "
                                                      "its message %2, it ends with bit %3 of %4"),
                                      s.name, m.name, s.end(), 8 * m.length));
+    if (m.payload.size() >= DbcMessage::kMaxSignals)
+        return warnings_.add(
+            line, Message(TR_NOOP("core", "the signal %1 is left out: its message %2 has more than "
+                                          "%3 signals"),
+                          s.name, m.name, DbcMessage::kMaxSignals));
     if (s.scale == 0.0)
         return warnings_.add(
             line, Message(TR_NOOP("core", "the signal %1 is left out: its scale is 0"), s.name));
@@ -246,7 +283,7 @@ void DbcMessages::select(const Place& place, const std::string& multiplexor,
             Message(TR_NOOP("core", "what selects %1 is passed over: its message has no signal %2"),
                     s.name, shown(multiplexor)));
     s.selector = above->second;
-    s.selectedBy = std::move(ranges);
+    s.selectedBy = withoutOverlap(std::move(ranges));
 }
 
 void DbcMessages::leaveOut(const Place& place)

@@ -15,19 +15,24 @@
 
 namespace terratact {
 
-/// Collects warnings about skipped parts of a file: lists the first few and counts the others.
+/// Collects warnings about skipped parts of a file: lists the first few, and the lines of the others.
 class DbcWarnings {
 public:
     /// file: must outlive this object.
     explicit DbcWarnings(DbcFile& file) : file_(file) {}
 
+    void add(Message what);  ///< about the whole file: always listed
     void add(int line, const Message& what);
-    void add(Message what);  ///< `what` names its line
-    void end();              ///< adds the number of further warnings
+    /// Adds that the entry of that line is left out. failure: names its own line.
+    void addEntry(int line, const Message& failure);
+    void end();  ///< adds the number of further warnings, and their lines
 
 private:
+    void list(int line, Message what);
+
     DbcFile& file_;
     std::size_t omitted_ = 0;
+    std::vector<std::pair<int, int>> lines_;  // first and last line of those in sequence
 };
 
 /// Reads messages and their signals (BO_, SG_) into a file, and finds them again for later

@@ -165,21 +165,35 @@ std::string_view DbcScanner::text(SourceText what)
         fail(Message(TR_NOOP("core", "%1 in quotation marks"), what));
         return {};
     }
-    const std::size_t before = at_;
-    const int line = line_;
+    const Place begin{at_, line_};
     advance();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '"')
-        for (int i = text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1; i > 0; --i) advance();
+    while (at_ < text_.size() && text_[at_] != '"') advanceEscaped();
     if (at_ == text_.size()) {
-        at_ = before;
-        line_ = line;
-        fail(Message(TR_NOOP("core", "a quotation mark at the end of %1"), what));
+        failUnclosed(begin, what);
         return {};
     }
-    const std::string_view found = text_.substr(begin, at_ - begin);
+    const std::string_view found = text_.substr(begin.at + 1, at_ - begin.at - 1);
     advance();
     return found;
+}
+
+std::string_view DbcScanner::lastText(SourceText what)
+{
+    const Place begin = place();
+    const std::string_view found = text(what);
+    if (isNext(';')) return found;
+    DbcScanner lines(found);
+    lines.recover({});
+    if (lines.atEnd()) return found;
+    failUnclosed(begin, what);
+    return {};
+}
+
+void DbcScanner::failUnclosed(const Place& begin, SourceText what)
+{
+    at_ = begin.at;
+    line_ = begin.line;
+    fail(Message(TR_NOOP("core", "a quotation mark at the end of %1"), what));
 }
 
 std::string_view DbcScanner::restOfLine()
@@ -211,9 +225,9 @@ void DbcScanner::skipSection()
         if (line_ > began && isSectionNext()) return;
         began = line_;
         if (isNext('"'))
-            (void)text(TR_NOOP("core", "a text"));
+            (void)lastText(TR_NOOP("core", "a text"));
         else if (wordIfAny().empty())
-            advance();
+            advanceEscaped();
     }
 }
 
@@ -240,6 +254,11 @@ void DbcScanner::advance()
 {
     if (text_[at_] == '\n') ++line_;
     ++at_;
+}
+
+void DbcScanner::advanceEscaped()
+{
+    for (int i = text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1; i > 0; --i) advance();
 }
 
 void DbcScanner::skipBlanks()

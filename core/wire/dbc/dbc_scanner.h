@@ -46,6 +46,9 @@ public:
     double number(SourceText what);
     std::uint64_t whole(SourceText what, std::uint64_t most);
     std::string_view text(SourceText what);  ///< text between quotation marks, unchanged
+    /// Returns a text behind which the section's semicolon is expected. Without the semicolon, a text
+    /// that holds a line that begins like a section lacks its closing quotation mark: a failure.
+    std::string_view lastText(SourceText what);
 
     std::string_view wordIfAny();   ///< empty without a failure if there is no word
     std::string_view restOfLine();  ///< remaining text of the line
@@ -62,7 +65,9 @@ public:
     void refuse(Message failure);  ///< sets the failure to this sentence
 
 private:
+    void failUnclosed(const Place& begin, SourceText what);
     void advance();
+    void advanceEscaped();  ///< past a character, and past a backslash with the next one
     void skipBlanks();
     bool isSectionNext();
     bool isMessageLineNext() const;  ///< true for a line of BO_ or SG_, indented or not

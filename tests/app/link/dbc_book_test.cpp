@@ -47,6 +47,17 @@ TEST_F(Books, findTheFramesOfTheirFiles)
     EXPECT_TRUE(book.remarks().empty());
 }
 
+TEST_F(Books, giveNamesWithoutDecodingValues)
+{
+    ASSERT_TRUE(book.add(write("gas.dbc", kGas)));
+    const auto reader = frameReader(CanProtocol::Terratact, std::make_shared<const DbcBook>(book),
+                                    FrameDepth::Name);
+    const FrameWords words = reader->read(gas(), 0.0);
+    EXPECT_EQ(words.name, "Gas");
+    EXPECT_EQ(words.trouble, FrameTrouble::None);
+    EXPECT_TRUE(words.values.empty());
+}
+
 TEST_F(Books, neverOverrideTheProtocol)
 {
     const std::string path =

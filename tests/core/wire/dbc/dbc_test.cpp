@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/wire/can_codec.h"
@@ -183,6 +187,43 @@ TEST(DbcMultiplexing, mayBeNested)
     EXPECT_EQ(values(0x02), (All{2.0, 0.0, std::nullopt, 5.0}));
     EXPECT_EQ(values(0x12), (All{2.0, 1.0, std::nullopt, std::nullopt}));
     EXPECT_EQ(values(0x00), (All{0.0, std::nullopt, std::nullopt, std::nullopt}));
+}
+
+TEST(DbcMultiplexing, rangesAreInOrderAndDoNotOverlap)
+{
+    const DbcMessage m = onlyMessage("BO_ 256 M: 8 A\n"
+                                     " SG_ Which M : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                                     " SG_ Some m0 : 8|8@1+ (1,0) [0|0] \"\" B\n"
+                                     "SG_MUL_VAL_ 256 Some Which 7-9, 1-2, 8-8, 2-3, 9-11;\n");
+    EXPECT_EQ(m.signal("Some").selectedBy, (std::vector<DbcSignal::Selection>{
+                                               {.first = 1, .last = 3}, {.first = 7, .last = 11}}));
+}
+
+TEST(DbcMultiplexing, anyRangesSelectTheirValues)
+{
+    std::mt19937_64 rng(5);
+    for (int i = 0; i < 200; ++i) {
+        std::vector<std::pair<std::size_t, std::size_t>> ranges(1 + rng() % 8);
+        std::string text;
+        for (auto& [first, last] : ranges) {
+            first = rng() % 40;
+            last = rng() % 40;  // a range whose last value is below the first selects nothing
+            text += (text.empty() ? "" : ",") + std::to_string(first) + "-" + std::to_string(last);
+        }
+        const DbcMessage m = onlyMessage("BO_ 256 M: 8 A\n"
+                                         " SG_ Which M : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                                         " SG_ Some m0 : 8|8@1+ (1,0) [0|0] \"\" B\n"
+                                         "SG_MUL_VAL_ 256 Some Which "
+                                         + text + ";\n");
+        for (std::uint8_t which = 0; which < 42; ++which) {
+            std::vector<std::optional<double>> all(m.payload.size());
+            decode(m, frameOfBytes({which, 1}), all);
+            const bool isSelected = std::any_of(ranges.begin(), ranges.end(), [&](const auto& r) {
+                return r.first <= which && which <= r.second;
+            });
+            ASSERT_EQ(all[1].has_value(), isSelected) << int{which} << " of " << text;
+        }
+    }
 }
 
 TEST(ShippedDbc, decodesEveryFrameExactlyAsTheCodec)
