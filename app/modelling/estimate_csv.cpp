@@ -24,7 +24,7 @@ constexpr std::size_t kColumns = 23;
 std::string noteText(std::string text)
 {
     for (char& c : text)
-        if (c == ',' || c == '"' || c == ';') c = ':';
+        if (c == ',' || c == '"') c = ':';
     return text;
 }
 

@@ -155,7 +155,7 @@ void DbcFiles::show(const QStringList& files, const QStringList& troubles)
                      .arg(troubles.size() - kMaxLines);
     troubles_->setText(shown.join(QLatin1Char('\n')));
     troubles_->setVisible(!troubles.isEmpty());
-    setTip(*troubles_, plainTip(troubles.join(QLatin1Char('\n'))));
+    setTip(*troubles_, troubles.join(QLatin1Char('\n')));
 
     add_->setEnabled(files.size() < kMaxDbcFiles);
     remove_->setVisible(!files.isEmpty());

@@ -42,7 +42,7 @@ Result<std::vector<ReviewNote>> readNotes(const std::string& session)
         if (notes.size() >= kMaxNotes) return csv->error(TR_NOOP("core", "too many notes"));
         const Result<double> time = csv->number(0, "t_s");
         if (!time) return time.error();
-        notes.push_back({*time, std::string(csvText(csv->fields()[1]))});
+        notes.push_back({*time, csvText(csv->fields()[1])});
     }
 }
 
@@ -51,7 +51,7 @@ Status writeNotes(const std::string& session, const std::vector<ReviewNote>& not
     std::string text = std::string(kHeader) + "\n";
     for (const ReviewNote& note : notes)
         text += csvLine(std::array{numberText(note.time), note.text});
-    return writeFileAtomically(notesPath(session), text, Access::Owner);
+    return writeFileAtomically(notesPath(session), text, Access::OwnerAlways);
 }
 
 }  // namespace terratact

@@ -1,17 +1,15 @@
 #include "app/recording/session_folder.h"
 
 #include <fmt/format.h>
-#include <pwd.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 
 #include "app/recording/session_text.h"
+#include "app/runtime/user_folder.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
 
@@ -40,13 +38,8 @@ std::int64_t writtenAt(const std::string& path)
 
 std::string sessionFolder()
 {
-    const char* const state = std::getenv("XDG_STATE_HOME");
-    if (state && *state == '/') return std::string(state) + "/terratact/sessions";
-    const char* home = std::getenv("HOME");
-    if (const passwd* const user = ::getpwuid(::getuid()); user && !(home && *home == '/'))
-        home = user->pw_dir;
-    return home && *home == '/' ? std::string(home) + "/.local/state/terratact/sessions"
-                                : std::string();
+    const std::string state = userFolder("XDG_STATE_HOME", ".local/state");
+    return state.empty() ? state : state + "/terratact/sessions";
 }
 
 std::optional<std::uint64_t> freeBytes(const std::string& folder)

@@ -18,8 +18,7 @@ std::int64_t sizeOf(const std::string& path);
 /// Returns a file's last write [ns] since 1970; 0 if unknown.
 std::int64_t writtenAt(const std::string& path);
 
-/// Returns the folder of this user's sessions: terratact/sessions in $XDG_STATE_HOME, else in .local/state of the home
-/// folder. The home folder is $HOME, else that of the user database. Both variables count only if they begin with '/'.
+/// Returns the folder of this user's sessions: terratact/sessions in userFolder() of XDG_STATE_HOME and .local/state.
 /// Empty: no folder.
 std::string sessionFolder();
 

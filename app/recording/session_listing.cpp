@@ -36,6 +36,9 @@ std::vector<std::string> notesOfReviews(const std::string& session)
 
 Result<SessionFolderFiles> sessionFilesIn(const std::string& folder, std::size_t most)
 {
+    if (folder.empty())
+        return Error{TR_NOOP("core", "there is no home folder that may hold recordings: name a "
+                                     "folder, or set HOME or XDG_STATE_HOME")};
     std::error_code unreadable;
     (void)std::filesystem::directory_iterator(folder, unreadable);
     if (unreadable)

@@ -41,8 +41,8 @@ std::string surveyText(const Recording& recording, const std::vector<TopicSurvey
     std::uint64_t messages = 0;
     for (const TopicSurvey& survey : surveys) messages += survey.messages;
     std::string text = fmt::format(
-        "{}: {}, {} topic{}, {} message{}\n", recording.path(), recording.format(), surveys.size(),
-        surveys.size() == 1 ? "" : "s", messages, messages == 1 ? "" : "s");
+        "{}: {}, {} topic{}, {} message{}\n", printable(recording.path()), recording.format(),
+        surveys.size(), surveys.size() == 1 ? "" : "s", messages, messages == 1 ? "" : "s");
     for (const TopicSurvey& survey : surveys) text += topicText(survey);
     return text;
 }

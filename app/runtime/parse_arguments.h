@@ -66,14 +66,22 @@ inline void parseNumbers(CLI::App& app, int argc, char** argv)
     refuseImpossibleNumbers(app);
 }
 
+/// Returns what CLI11 says of an error, with a reason of one line whatever arguments it quotes.
+inline std::string complaintOf(const CLI::App* app, const CLI::Error& error)
+{
+    return CLI::FailureMessage::simple(
+        app, {error.get_name(), printable(error.what()), error.get_exit_code()});
+}
+
 /// Parses the arguments of a program. Returns the exit status if it is to end: 0 after its help or version was printed,
-/// kWrongArguments after a complaint. Both may quote arguments, and are printed as plain text.
+/// kWrongArguments after a complaint. A complaint may quote arguments, and is printed as plain text.
 inline std::optional<int> parseArguments(CLI::App& app, int argc, char** argv)
 {
     try {
         parseNumbers(app, argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
+        app.failure_message(complaintOf);
         std::ostringstream out, complaint;
         const int code = app.exit(error, out, complaint);
         printText("{}", Lines(out.str()));

@@ -8,8 +8,14 @@ namespace terratact {
 
 LoadedPreferences preferencesFor(const ConsoleOptions& options)
 {
-    const bool none = options.safeMode || options.isPicture();
-    return loadPreferences(none ? QString() : preferencesPath());
+    if (options.safeMode || options.isPicture()) return loadPreferences({});
+    const QString path = preferencesPath();
+    LoadedPreferences loaded = loadPreferences(path);
+    if (path.isEmpty())
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences", "Preferences: there is no home folder to save them in: set HOME "
+                                   "or XDG_CONFIG_HOME"));
+    return loaded;
 }
 
 Preferences inForce(Preferences preferences, const ConsoleOptions& options)

@@ -13,7 +13,8 @@ namespace terratact {
 
 // Settings of a window: the command line's, else the preferred, else the shipped ones.
 
-/// Returns the saved preferences; defaults for a picture and for safe mode.
+/// Returns the saved preferences; defaults for a picture and for safe mode, which save none. Without a home folder,
+/// `troubles` says that they cannot be saved.
 LoadedPreferences preferencesFor(const ConsoleOptions& options);
 
 /// Returns the preferences overridden by the command line.

@@ -63,7 +63,7 @@ Result<Classes> readClasses(CsvReader csv, const std::string& column)
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) return classes;
-        const std::string name(csvText(csv.fields()[*row]));
+        const std::string name = csvText(csv.fields()[*row]);
         if (!classes.try_emplace(name, csvText(csv.fields()[*wanted])).second)
             return csv.error("row " + shown(name) + " appears twice: delete one of the lines");
         if (classes.size() > kMaxClassRows)

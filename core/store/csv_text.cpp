@@ -15,13 +15,38 @@ constexpr std::array<std::string_view, 11> kFormulaBegins{
     "=",           "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D",
     "\xEF\xBC\xA0"};
 
-/// Returns true if the text behind any apostrophes begins a formula. A text that begins with
-/// apostrophes must come back with as many.
+/// Where cells end for a program that does not separate at commas, and so takes our quotes for
+/// letters. At commas they hold.
+constexpr std::string_view kCellEnds = ";\t\r\n";
+
+/// Returns true if the text behind any apostrophes, quotes and spaces begins a formula. A text that
+/// begins with apostrophes must come back with as many.
 bool beginsFormula(std::string_view text)
 {
-    text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of("' \""), text.size()));
     return std::any_of(kFormulaBegins.begin(), kFormulaBegins.end(),
                        [text](std::string_view sign) { return text.starts_with(sign); });
+}
+
+/// Returns true if a cell that begins at this byte would be a formula. The first of several
+/// separators in a row begins none.
+bool isFormulaAt(std::string_view text, std::size_t at)
+{
+    const auto endsCell = [text](std::size_t i) {
+        return kCellEnds.find(text[i]) != std::string_view::npos;
+    };
+    return (at == 0 || (endsCell(at - 1) && !endsCell(at))) && beginsFormula(text.substr(at));
+}
+
+/// Puts an apostrophe before each cell that would be a formula.
+std::string defused(std::string_view text)
+{
+    std::string cells;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (isFormulaAt(text, i)) cells += '\'';
+        cells += text[i];
+    }
+    return cells;
 }
 
 bool isPlainNumber(std::string_view text)
@@ -41,8 +66,7 @@ bool needsQuotes(std::string_view text)
 
 std::string csvField(std::string_view text)
 {
-    std::string field(beginsFormula(text) && !isPlainNumber(text) ? "'" : "");
-    field += text;
+    const std::string field = isPlainNumber(text) ? std::string(text) : defused(text);
     if (!needsQuotes(field)) return field;
     std::string quoted = "\"";
     for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);
@@ -84,10 +108,12 @@ std::string csvLine(std::span<const std::string> fields)
     return csvLine(std::vector<CsvValue>(fields.begin(), fields.end()));
 }
 
-std::string_view csvText(std::string_view field)
+std::string csvText(std::string_view field)
 {
-    if (field.starts_with('\'') && beginsFormula(field)) field.remove_prefix(1);
-    return field;
+    std::string text;
+    for (std::size_t i = 0; i < field.size(); ++i)
+        if (field[i] != '\'' || !isFormulaAt(field, i)) text += field[i];
+    return text;
 }
 
 }  // namespace terratact

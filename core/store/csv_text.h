@@ -10,12 +10,14 @@
 
 namespace terratact {
 
-// CSV text fields. A spreadsheet computes a field that begins with = + - @, a tab, a line end or
-// their wide forms. A leading apostrophe makes it a text.
+// CSV text fields. A spreadsheet computes a cell that begins with = + - @, a tab, a line end or
+// their wide forms. A leading apostrophe makes it a text. A spreadsheet that separates at ; takes a
+// quote inside a line for a letter, so a quoted text may become several cells.
 
-/// Returns a text as a CSV field. A text that would be a formula and is no number gets a leading
-/// apostrophe. A text with a separator, a quote, a line end or an outer blank is quoted as in RFC
-/// 4180.
+/// Returns a text as a CSV field. A number stays as it is. In another text, each part that would be
+/// a formula gets a leading apostrophe. Parts begin with the text and behind semicolons, tabs and
+/// line ends. Apostrophes, quotes and spaces before the sign of a formula do not count. A text with
+/// a separator, a quote, a line end or an outer blank is quoted as in RFC 4180.
 std::string csvField(std::string_view text);
 
 /// One field of a CSV line: a text or a number.
@@ -51,7 +53,7 @@ std::string csvLine(std::span<const CsvValue> fields);
 std::string csvLine(std::initializer_list<CsvValue> fields);
 std::string csvLine(std::span<const std::string> fields);
 
-/// Returns the text of an unquoted field that csvField() made: it removes the added apostrophe.
-std::string_view csvText(std::string_view field);
+/// Returns the text of an unquoted field that csvField() made: it removes the added apostrophes.
+std::string csvText(std::string_view field);
 
 }  // namespace terratact

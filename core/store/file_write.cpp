@@ -99,10 +99,13 @@ bool isRecording(const std::string& path)
 }
 
 /// Returns true for the names of open files, which are links of the kernel: /dev/stdout, /dev/fd/3.
-bool isKernelName(const std::string& path)
+bool isKernelName(std::string_view path)
 {
-    return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/")
-        || path.starts_with("/proc/self/fd/");
+    if (path == "/dev/stdout" || path == "/dev/stderr") return true;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"})
+        if (path.starts_with(folder))
+            return writtenIntegerFrom<unsigned>(path.substr(folder.size())).has_value();
+    return false;
 }
 
 bool isLink(const std::string& path, struct stat& found)
@@ -209,13 +212,14 @@ Result<NewFile> NewFile::begin(const std::string& path, Access access)
 
     std::string temporary;
     constexpr mode_t kOwner = S_IRUSR | S_IWUSR;
-    const bool owners = access == Access::Owner;
-    const Descriptor file(createBeside(target, exists || owners ? kOwner : 0666, temporary));
+    const bool byUmask = !exists && access == Access::Everybody;
+    const bool keepsMode = exists && access != Access::OwnerAlways;
+    const Descriptor file(createBeside(target, byUmask ? 0666 : kOwner, temporary));
     if (file.fd() < 0) return cannotWrite(path, errno);
     noteUnfinished(temporary);
     NewFile created(path, target, temporary);
-    const mode_t mode = owners ? kOwner : old.st_mode & 07777;
-    if ((exists || owners) && ::fchmod(file.fd(), mode) != 0) return cannotWrite(path, errno);
+    const mode_t mode = keepsMode ? old.st_mode & 07777 : kOwner;
+    if (!byUmask && ::fchmod(file.fd(), mode) != 0) return cannotWrite(path, errno);
     return created;
 }
 
@@ -267,7 +271,7 @@ Status makeDirectory(const std::string& path, Access access)
 {
     if (Status direct = checkDirectoryLinks(path); !direct) return direct;
     std::error_code failed;
-    if (access == Access::Owner) {
+    if (access != Access::Everybody) {
         std::vector<std::string> missing;
         for (std::filesystem::path at = path; !at.empty() && !std::filesystem::exists(at, failed);
              at = at.parent_path())

@@ -7,13 +7,17 @@
 
 namespace terratact {
 
-/// Permissions of what is created: as the umask allows, or for its owner alone whatever the umask.
-enum class Access { Everybody, Owner };
+/// Permissions of what is written.
+enum class Access {
+    Everybody,   ///< a new file has what the umask allows; a replaced one keeps its permissions
+    Owner,       ///< a new file is for its owner alone whatever the umask; a replaced one as above
+    OwnerAlways  ///< for its owner alone, also where it replaces a file
+};
 
 /// Returns Done if an output path leads through no symbolic link of somebody else. The output itself
 /// must not be a link at all, so that nothing is written through it. A folder above it may be a link
-/// of this user or of root. /dev/stdout, /dev/stderr and names below /dev/fd and /proc/self/fd are
-/// links of the kernel and pass. Errors name the link.
+/// of this user or of root. /dev/stdout, /dev/stderr and the numbers in /dev/fd and /proc/self/fd
+/// are links of the kernel and pass; no other spelling does. Errors name the link.
 Status checkLinks(const std::string& path);
 
 /// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:
@@ -30,14 +34,14 @@ Status checkReplaceable(const std::string& path);
 class NewFile {
 public:
     /// Creates the empty temporary file. Errors name the file: its directory does not exist or is
-    /// not writable, or checkReplaceable() refuses the file at `path`. The permissions of an existing
-    /// file are kept, unless `access` is Owner.
-    static Result<NewFile> begin(const std::string& path, Access access = Access::Everybody);
+    /// not writable, or checkReplaceable() refuses the file at `path`. A file may hold recorded data,
+    /// so only what is made for passing on is for everybody.
+    static Result<NewFile> begin(const std::string& path, Access access = Access::Owner);
 
     /// Creates the temporary file with this content, flushed to the disk. Errors: as begin(), or the
     /// content does not fit on the disk.
     static Result<NewFile> filled(const std::string& path, std::string_view content,
-                                  Access access = Access::Everybody);
+                                  Access access = Access::Owner);
 
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&& other) noexcept;
@@ -69,11 +73,12 @@ private:
 };
 
 /// Creates a directory and its parents; does nothing if it exists. Errors name it. A part of the
-/// path must not be a symbolic link that belongs neither to this user nor to root.
+/// path must not be a symbolic link that belongs neither to this user nor to root. Unless `access`
+/// is Everybody, those that are made are for their owner alone.
 Status makeDirectory(const std::string& path, Access access = Access::Everybody);
 
 /// Writes `content` to `path` as NewFile does.
 Status writeFileAtomically(const std::string& path, std::string_view content,
-                           Access access = Access::Everybody);
+                           Access access = Access::Owner);
 
 }  // namespace terratact

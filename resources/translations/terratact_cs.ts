@@ -1159,6 +1159,10 @@
         <source>Preferences: method is now %1, the default; before, it was %2</source>
         <translation>Nastavení: metoda je nyní %1, výchozí; předtím byla %2</translation>
     </message>
+    <message>
+        <source>Preferences: there is no home folder to save them in: set HOME or XDG_CONFIG_HOME</source>
+        <translation>Nastavení: není domovská složka, kam je uložit: nastavte HOME nebo XDG_CONFIG_HOME</translation>
+    </message>
 </context>
 <context>
     <name>PresetWords</name>
@@ -6832,6 +6836,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
         <translation>Protokoly a záznamy jiných programů (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Recordings of this console (.tts)</source>
+        <translation>Záznamy této konzole (.tts)</translation>
     </message>
 </context>
 <context>

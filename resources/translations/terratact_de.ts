@@ -1159,6 +1159,10 @@
         <source>Preferences: method is now %1, the default; before, it was %2</source>
         <translation>Einstellungen: Die Methode ist nun %1, der Standard; vorher war es %2</translation>
     </message>
+    <message>
+        <source>Preferences: there is no home folder to save them in: set HOME or XDG_CONFIG_HOME</source>
+        <translation>Einstellungen: es gibt keinen Benutzerordner, um sie zu speichern: HOME oder XDG_CONFIG_HOME setzen</translation>
+    </message>
 </context>
 <context>
     <name>PresetWords</name>
@@ -6832,6 +6836,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
         <translation>Protokolle und Aufzeichnungen anderer Programme (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Recordings of this console (.tts)</source>
+        <translation>Aufzeichnungen dieser Konsole (.tts)</translation>
     </message>
 </context>
 <context>

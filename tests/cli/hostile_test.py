@@ -12,7 +12,8 @@ from support import CLI, SOURCE, Folder, complaint, needs_no_sanitizer, run, san
 
 DEMO = f"{SOURCE}/resources/sessions/demo.tts"
 FRAME = "(1793000000.000000) can0 123#00\n"
-ESCAPES = ("\x1b[2K", "\x1b]0;t\x07", "\u009b31m", "\u202egnol", "\u2066x", "\r", "\x07", "\n")
+FORGED = "\nforged: yes"
+ESCAPES = ("\x1b[2K", "\x1b]0;t\x07", "\u009b31m", "\u202egnol", "\u2066x", "\r", "\x07", FORGED)
 if sanitized():
     ESCAPES = ESCAPES[:2]  # each is 30 slow commands, and all take the same way through memory
 
@@ -85,17 +86,33 @@ class Links(Scenes):
 
 
 class Modes(Scenes):
+    def mode(self, mask, out, *arguments):
+        """Returns the permissions of a file that a command has written with this umask."""
+        subprocess.run(["bash", "-c", f'umask {mask}; exec "$@"', "-", CLI, *arguments, "--out", out], check=True,
+                       stdout=subprocess.DEVNULL)
+        return stat.S_IMODE(out.stat().st_mode)
+
     def test_recordings_are_private_with_any_umask(self):
         log = self.written("a.log", FRAME)
         for mask in ("000", "022", "277"):
-            out = self.path / f"{mask}.tts"
-            subprocess.run(["bash", "-c", f'umask {mask}; exec "$@"', "-", CLI, "session", "import", log, "--out", out],
-                           check=True, stdout=subprocess.DEVNULL)
-            self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o600, mask)
+            self.assertEqual(self.mode(mask, self.path / f"{mask}.tts", "session", "import", log), 0o600, mask)
+
+    def test_what_is_written_from_a_recording_is_private_too(self):
+        for name, *arguments in (
+                ("e.mcap", "session", "export", DEMO), ("e.log", "session", "export", DEMO),
+                ("e.csv", "session", "export", DEMO, "--what", "events"), ("s.csv", "session", "scenes", DEMO),
+                ("r.html", "session", "report", DEMO), ("x.csv", "reconstruct", "--data", self.scenes)):
+            out = self.path / name
+            self.assertEqual(self.mode("000", out, *arguments), 0o600, arguments)
+            out.chmod(0o640)
+            self.assertEqual(self.mode("000", out, *arguments), 0o640, "a replaced file keeps its mode")
 
 
 class Texts(Scenes):
-    """Names and texts of files are printed without what moves a cursor, changes a colour or the reading direction."""
+    """Names and texts of files are printed without what moves a cursor, changes a colour or the reading direction.
+
+    None of them begins a line, so that none can be taken for what the program says.
+    """
 
     RAW = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
 
@@ -103,6 +120,7 @@ class Texts(Scenes):
         done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, timeout=100, stdin=subprocess.DEVNULL)
         text = (done.stdout + done.stderr).decode(errors="replace")
         self.assertIsNone(self.RAW.search(text), (arguments, ascii(text)))
+        self.assertNotIn(FORGED, text, arguments)
         return text
 
     def test_names_of_files_are_printed_without_escapes(self):
@@ -124,7 +142,7 @@ class Texts(Scenes):
     def test_texts_inside_files_are_printed_without_escapes(self):
         plain = pathlib.Path(SOURCE, "resources/robots/absolem.toml").read_text()
         for escape in ESCAPES:
-            quoted = escape.replace("\n", "").replace("\r", "")
+            quoted = escape.replace(FORGED, "").replace("\r", "")
             dbc = self.written("d.dbc", f'VERSION "{escape}"\nBU_: Gas\nBO_ 291 Gas{quoted}: 8 Gas\n SG_ Oxygen : 0|8@1+ (1,0) '
                                f'[0|0] "{escape}" X\nCM_ SG_ 291 Oxygen "{escape}";\nVAL_ 291 Oxygen 0 "{escape}" ;\n')
             log = self.written("d.log", FRAME)
@@ -136,11 +154,30 @@ class Texts(Scenes):
             run_name = self.written("r.csv", "\n".join([header] + [quoted + line for line in lines]) + "\n")
             self.printed("reconstruct", "--data", run_name, "--out", self.path / "o.csv")
             self.printed("contacts", "--data", run_name)
-            self.printed("contacts", "--data", self.written("h.csv", f"a{escape},b\n1,2\n"))
-            self.printed("probes", "--data", self.written("p.csv", f"place,height_m,truth_m\n{escape},0.1,0.2\n"))
+            self.printed("contacts", "--data", self.written("h.csv", f'"a{escape}",b\n1,2\n'))
+            self.printed("probes", "--data", self.written("p.csv", f'place,height_m,truth_m\n"{escape}",0.1,0.2\n'))
             robot = self.written("r.toml", plain.replace('name = "', f'name = "{quoted}'))
             self.printed("simulate", "--terrain", "varied", "--count", 1, "--robot", robot, "--out", self.path / "o.csv")
             self.printed("panel", "check", self.written("n.toml", f'chip = "{quoted}"\n"{quoted}" = 1\n'))
+
+    def test_no_name_forges_a_line_of_a_longer_text(self):
+        recording, scenes = self.path / f"a{FORGED}.mcap", self.path / f"a{FORGED}.csv"
+        run("session", "export", DEMO, "--out", recording)
+        self.assertIn(" topics, ", self.printed("import", recording, "--probe"))
+        cloud, poses, out = self.path / "c.pcd", self.path / "p.csv", self.path / "o.csv"
+        run("simulate", "--tracks", "--terrain", "varied", "--count", 3, "--seed", 5, "--cloud", cloud, "--poses", poses,
+            "--out", scenes)
+        said = self.printed("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", out)
+        self.assertIn("against the heights that ", said)
+        classes = self.written("k.csv", f'row,class\n1,"a{FORGED}"\n2,b\n')
+        self.assertIn("By class", self.printed("evaluate", "--data", self.scenes, "--classes", classes, "--methods", "local",
+                                               "--out", self.path / "e"))
+        model = self.written(f"m{FORGED}.ttm", pathlib.Path(SOURCE, "resources/models/default.ttm").read_bytes())
+        card = pathlib.Path(SOURCE, "resources/models/default.card.toml").read_text().split("[[", 1)[0]
+        for held_out in ("2 files", r"2 files\nforged: yes"):
+            self.written(f"m{FORGED}.card.toml", f'{card}[generated]\nweight = 0.5\nheld_out = "{held_out}"\n'
+                         "mean_errors_m = [[0.5, 0.02]]\n")
+            self.assertRegex(self.printed("model", "show", model), "held out in 2 files|held_out is not a text|control character")
 
 
 class Terminals(Scenes):
@@ -188,6 +225,19 @@ class NoFonts(Folder):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr.splitlines()[-1], "r.pdf: cannot be drawn: no font is installed, .*; install one")
         self.assertFalse((self.path / "r.pdf").exists())
+
+
+class NoHome(unittest.TestCase):
+    @unittest.skipUnless(os.geteuid() == 0, "only root acts as a user who is not in the user database")
+    def test_the_list_of_recordings_says_what_is_missing(self):
+        unknown = {"user": 54321, "group": 54321, "extra_groups": []}
+        if subprocess.run(["test", "-x", CLI], **unknown, check=False).returncode != 0:
+            self.skipTest("another user cannot run the program where it was built")
+        for home in ({}, {"HOME": "relative", "XDG_STATE_HOME": "state"}):
+            done = subprocess.run([CLI, "session", "list"], capture_output=True, text=True, timeout=100, env=home,
+                                  check=False, **unknown)
+            self.assertEqual((done.returncode, done.stderr), (
+                1, "terratact: there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME\n"))
 
 
 class LittleMemory(Scenes):

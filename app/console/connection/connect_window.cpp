@@ -257,7 +257,9 @@ void ConnectWindow::showChosen()
         button = tr("Choose a log …");
         break;
     case Kind::Session:
-        facts = tr("Recordings of this console (.tts), in %1").arg(options_.sessions);
+        facts = options_.sessions.isEmpty()
+                  ? tr("Recordings of this console (.tts)")
+                  : tr("Recordings of this console (.tts), in %1").arg(options_.sessions);
         button = tr("Choose a session …");
         break;
     }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/message.h"
+#include "core/base/text.h"
 #include "core/store/csv_text.h"
 
 namespace terratact {
@@ -379,7 +380,7 @@ std::string groupsTable(std::string_view kind, std::span<const GroupSummary> gro
     std::string before;
     for (const GroupSummary& g : groups) {
         table +=
-            row({g.group == before ? std::string() : shortened(g.group, 25), g.label,
+            row({g.group == before ? std::string() : shortened(printable(g.group), 25), g.label,
                  fmt::format("{}", g.scenes), fmt::format("{:.1f}", millimetres(g.all.median)),
                  fmt::format("{:.1f}", millimetres(g.all.mean)),
                  fmt::format("{:.1f}", millimetres(g.all.crps)), percent(g.all.coverage, g.all.n)},

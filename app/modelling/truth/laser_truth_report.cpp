@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/text.h"
 #include "core/learn/data/drive_file.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
@@ -125,7 +126,7 @@ std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& option
     else
         text += "alignment: unknown, no scene has points under both tracks\n";
     if (truth.under.bins + truth.ahead.bins > 0) {
-        text += fmt::format("against the heights that {} held:\n", options.scenes);
+        text += fmt::format("against the heights that {} held:\n", printable(options.scenes));
         text += errorLine("under the tracks, to +0.2 m", truth.under);
         text += errorLine("ahead, from +0.3 m", truth.ahead);
     }

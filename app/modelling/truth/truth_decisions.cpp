@@ -40,7 +40,7 @@ Result<TruthDecision> decisionOf(CsvReader& csv)
         return csv.error(
             Message(TR_NOOP("core", "row is %1, expected the number of a scene, from 1"), *row));
     decision.row = static_cast<std::size_t>(*row);
-    decision.run = std::string(csvText(csv.fields()[1]));
+    decision.run = csvText(csv.fields()[1]);
     const std::string_view word = csv.fields()[2];
     if (word != "accept" && word != "exclude")
         return csv.error(

@@ -287,7 +287,7 @@ void ReviewExportDialog::showPayload()
     payload_->setChecked(!names.isEmpty() && holds && payloadWanted_);
     payload_->setEnabled(!names.isEmpty() && !job_ && holds);
     setTip(*payload_, names.isEmpty() ? tr("The page Signals (F7) adds DBC files")
-                      : holds         ? plainTip(names.join(QLatin1Char('\n')))
+                      : holds         ? names.join(QLatin1Char('\n'))
                                       : tr("Only the kind Signals holds the values of DBC files"));
 }
 

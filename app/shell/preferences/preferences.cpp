@@ -4,12 +4,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QStringList>
 #include <algorithm>
+#include <string>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/runtime/user_folder.h"
 #include "app/shell/preferences/preference_values.h"
 #include "core/base/named.h"
 #include "core/store/file_write.h"
@@ -111,8 +112,8 @@ Message modelNotUsed(const QString& path)
 
 QString preferencesPath()
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
-    return folder.isEmpty() ? QString() : folder + QStringLiteral("/terratact/console.ini");
+    const std::string folder = userFolder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? QString() : QString::fromStdString(folder + "/terratact/console.ini");
 }
 
 LoadedPreferences loadPreferences(const QString& path)

@@ -84,13 +84,14 @@ std::vector<Method> offeredMethods();
 /// Returns the settings with the preferred method, quality and limits.
 Settings withPreferences(Settings settings, const Preferences& preferences);
 
-/// Returns terratact/console.ini in the user's configuration folder (XDG base directory specification).
+/// Returns terratact/console.ini in userFolder() of XDG_CONFIG_HOME and .config. Empty: there is no home folder.
 QString preferencesPath();
 
 struct LoadedPreferences {
     Preferences preferences;
     std::vector<Message> troubles;  ///< one for each value that was not accepted
-    QString path;  ///< where to save; empty: never, because the file must not be replaced
+    /// Where to save. Empty: never, because the file must not be replaced, or there is no folder for it.
+    QString path;
 };
 
 /// Reads a preferences file; never fails. An invalid value becomes its default. An unreadable file is moved to

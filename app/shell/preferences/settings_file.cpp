@@ -226,7 +226,8 @@ Status writeSettings(const std::string& path, const Preferences& preferences, Se
         return fileError(
             path,
             TR_NOOP("SettingsFile", "the file exists and was not replaced; choose another name"));
-    const Access access = scope == SettingsScope::ThisComputer ? Access::Owner : Access::Everybody;
+    const Access access =
+        scope == SettingsScope::ThisComputer ? Access::OwnerAlways : Access::Everybody;
     if (scope == SettingsScope::ThisComputer) {
         const std::string folder = QFileInfo(QString::fromStdString(path)).path().toStdString();
         if (Status made = makeDirectory(folder, Access::Owner); !made) return made;

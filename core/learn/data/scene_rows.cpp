@@ -152,7 +152,7 @@ Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
 
 Status readRun(const CsvReader& csv, std::size_t field, SceneFileRow& row)
 {
-    const std::string_view text = csvText(csv.fields()[field]);
+    const std::string text = csvText(csv.fields()[field]);
     if (text.empty()) return csv.error(Message(TR_NOOP("core", "%1 is empty"), "run"));
     if (text.size() > kMaxRunNameLength)
         return csv.error(Message(TR_NOOP("core", "run is longer than %1 bytes: %2"),

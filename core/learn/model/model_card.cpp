@@ -191,7 +191,7 @@ Status writeModelCard(const std::string& modelPath, const ModelCard& card)
     const std::string path = cardPath(modelPath);
     const std::string text = textOf(card);
     if (const auto again = modelCardFrom(path, text); !again) return again.error();
-    return writeFileAtomically(path, text);
+    return writeFileAtomically(path, text, Access::Everybody);
 }
 
 void addScores(ModelCard& card, CardScores scores)

@@ -50,13 +50,16 @@ void expectReadable(QString text, const char* where)
     EXPECT_EQ(text.toStdString(), printableLines(text.toStdString())) << where;
 }
 
+/// Checks that a tip shows its text literally: markup in it is escaped, and only once.
 void expectPlainTip(const QString& tip, const char* where)
 {
-    const bool isRich = Qt::mightBeRichText(tip);
     QWidget shows;
     shows.setToolTip(tip);
-    EXPECT_TRUE(!isRich || tip == plainTip(tipOf(shows))) << where << ": " << tip.toStdString();
-    expectReadable(isRich ? tipOf(shows) : tip, where);
+    const QString shown = tipOf(shows);
+    EXPECT_TRUE(tip == shown || tip == plainTip(shown)) << where << ": " << tip.toStdString();
+    EXPECT_FALSE(shown.contains(QStringLiteral("<p style='white-space")))
+        << where << ": " << tip.toStdString();
+    expectReadable(shown, where);
 }
 
 void expectPlainItems(const QAbstractItemModel& model, const char* where)
@@ -226,8 +229,12 @@ TEST_F(HostileFiles, aSessionIsShownLetterByLetter)
         << window.windowTitle().toStdString();
     EXPECT_LE(window.header()->sourceName().size(), 120) << "the source's name is cut";
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
-    ASSERT_TRUE(window.exportDialog());
-    expectPlain(*window.exportDialog());
+    ReviewExportDialog* const dialog = window.exportDialog();
+    ASSERT_TRUE(dialog);
+    for (int what = 0; what < dialog->what()->count(); ++what) {
+        dialog->what()->setCurrentIndex(what);
+        expectPlain(*dialog);
+    }
 }
 
 TEST_F(HostileFiles, aFileOfScenesIsShownLetterByLetter)

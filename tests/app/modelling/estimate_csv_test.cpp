@@ -83,6 +83,12 @@ TEST_F(EstimateTable, aSceneWithoutAnEstimateHasAReason)
     for (const Fields& fields : lines) EXPECT_EQ(fields.size(), lines[0].size());
 }
 
+TEST_F(EstimateTable, aNoteIsDefusedLikeEveryText)
+{
+    result.note = "read from x;=1+1, y";
+    EXPECT_EQ(field(0, "note"), "\"read from x;'=1+1: y\"");
+}
+
 TEST_F(EstimateTable, needsOneEstimatePerScene)
 {
     EXPECT_THROW((void)estimateCsv({scene, scene}, {result}), std::invalid_argument);

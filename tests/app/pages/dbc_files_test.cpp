@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -17,6 +19,7 @@
 #include "app/shell/preferences/preference_store.h"
 #include "tests/support/benches/pages_bench.h"
 #include "tests/support/gui.h"
+#include "widgets/base/tips.h"
 
 namespace terratact {
 namespace {
@@ -39,6 +42,14 @@ TEST_F(ForeignFramesOnThePage, aBadDbcFileIsReportedAndStopsNothing)
     EXPECT_TRUE(troubles[1].contains("none.dbc: cannot be opened"));
     EXPECT_TRUE(troubles[2].contains("frame 022: the robot's protocol has that identifier"));
     EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all listed in this tooltip"));
+    const QList<QLabel*> labels = page->findChildren<QLabel*>();
+    const auto label = std::ranges::find_if(labels, [](const QLabel* at) {
+        return terratact::tipOf(*at).contains("bad.dbc: describes");
+    });
+    ASSERT_NE(label, labels.end());
+    const QString tip = terratact::tipOf(**label);
+    EXPECT_EQ(tip.count('\n'), 3) << tip.toStdString();
+    EXPECT_FALSE(tip.contains("<p ")) << "it is escaped once at most: " << tip.toStdString();
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; })) << "the protocol wins";
     window->resize(window->minimumSize());
     QTest::qWait(300);

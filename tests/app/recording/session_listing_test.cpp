@@ -49,6 +49,14 @@ TEST_F(SessionListing, aFolderThatCannotBeReadIsNamed)
         << none.error().text;
 }
 
+TEST_F(SessionListing, withoutAFolderNamesWhatHelps)
+{
+    const auto none = sessionFilesIn("");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().text, "there is no home folder that may hold recordings: name a folder, "
+                                 "or set HOME or XDG_STATE_HOME");
+}
+
 TEST_F(SessionListing, aRecordingHasItsSizeAndTheNotesOfReviews)
 {
     const std::string path = make("a.tts");

@@ -382,12 +382,18 @@ TEST_F(Recorder, writesForItsOwnerAlone)
 
 TEST_F(Recorder, withoutAFolderReportsIt)
 {
-    options.folder.clear();
-    SessionRecorder recorder(options);
-    recorder.record(EventRow{.kind = EventKind::Marker});
-    ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
-    EXPECT_NE(recorder.state().trouble.english().find("--sessions"), std::string::npos)
-        << recorder.state().trouble.english();
+    const std::string none = "there is no home folder to record in: --sessions names another";
+    for (const auto& [where, said] :
+         {std::pair(std::string(), none),
+          std::pair(std::string("/proc/terratact"),
+                    std::string("/proc/terratact: the directory cannot be made: "))}) {
+        options.folder = where;
+        SessionRecorder recorder(options);
+        recorder.record(EventRow{.kind = EventKind::Marker});
+        ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
+        EXPECT_TRUE(recorder.state().trouble.english().starts_with(said))
+            << recorder.state().trouble.english();
+    }
 }
 
 TEST_F(Recorder, refusesABusWhoseNameMovesTheCursor)

@@ -228,8 +228,9 @@ TEST(CsvText, makesNoFormulaOfAText)
 
 TEST(CsvText, survivesARoundTrip)
 {
-    for (const std::string text : {"=1+1", "'=1", "''-x", "-0.5", "'-0.5", "'quoted'", "", " a ",
-                                   "a\"b", "two\nlines", "@,;\t", "\r", "'"}) {
+    for (const std::string text :
+         {"=1+1", "'=1", "''-x", "-0.5", "'-0.5", "'quoted'", "", " a ", "a\"b", "two\nlines",
+          "@,;\t", "\r", "'", "x;=1", "x;'=1", "\t=1;;+2\n@3"}) {
         Result<CsvReader> csv = CsvReader::over("text", "x," + csvField(text) + "\n");
         ASSERT_TRUE(csv && csv->next()) << text;
         EXPECT_EQ(csvText(csv->fields().at(1)), text) << text;

@@ -1,5 +1,6 @@
 #include "core/store/file_write.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -11,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "core/store/file_group.h"
 #include "core/store/file_read.h"
 #include "core/store/unfinished_files.h"
 #include "tests/support/refusal.h"
@@ -84,6 +86,23 @@ TEST(WriteFileAtomically, writesThroughNoSymbolicLink)
     EXPECT_EQ(contentOf(path), "old");
 }
 
+TEST(WriteFileAtomically, takesOnlyExactNamesOfTheKernelForOpenFiles)
+{
+    const TemporaryDirectory dir;
+    const std::string path = dir.write("real.csv", "old"), link = dir.file("link.csv");
+    std::filesystem::create_symlink(path, link);
+    for (const std::string detour : {"/proc/self/fd/../root", "/dev/fd/../root"})
+        EXPECT_TRUE(refused(writeFileAtomically(detour + link, "new"), detour + link,
+                            {"it is a symbolic link to " + path}));
+    EXPECT_EQ(contentOf(path), "old");
+    const int open = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"})
+        EXPECT_TRUE(checkLinks(folder + std::to_string(open)));
+    EXPECT_TRUE(writeFileAtomically("/proc/self/fd/" + std::to_string(open), "new"));
+    EXPECT_EQ(contentOf(path), "new");
+    ::close(open);
+}
+
 TEST(WriteFileAtomically, writesInAFolderThatIsItsUsersOwnLink)
 {
     const TemporaryDirectory dir;
@@ -114,6 +133,41 @@ TEST(WriteFileAtomically, writesNoTemporaryThroughALink)
     std::filesystem::create_symlink(path, file->temporaryPath());
     EXPECT_LT(file->openTemporary(), 0) << "somebody has exchanged it since";
     EXPECT_EQ(contentOf(path), "old");
+}
+
+/// Returns the permissions of a file, and those of it once it is replaced for `again`, with a umask of 022.
+std::pair<mode_t, mode_t> modesOf(Access first, Access again)
+{
+    const TemporaryDirectory dir;
+    const std::string path = dir.file("out.csv");
+    const auto written = [&path](Access access) {
+        EXPECT_TRUE(writeFileAtomically(path, "x", access));
+        struct stat at {};
+        EXPECT_EQ(::stat(path.c_str(), &at), 0);
+        return at.st_mode & 07777U;
+    };
+    const mode_t before = ::umask(022);
+    const mode_t one = written(first), two = written(again);
+    ::umask(before);
+    return {one, two};
+}
+
+TEST(WriteFileAtomically, aNewFileIsForItsOwnerUnlessPassedOn)
+{
+    using Modes = std::pair<mode_t, mode_t>;
+    EXPECT_EQ(modesOf(Access::Owner, Access::Everybody), (Modes{0600, 0600}));
+    EXPECT_EQ(modesOf(Access::Everybody, Access::Owner), (Modes{0644, 0644})) << "modes are kept";
+    EXPECT_EQ(modesOf(Access::Everybody, Access::OwnerAlways), (Modes{0644, 0600}));
+    const TemporaryDirectory dir;
+    const mode_t before = ::umask(0);
+    FileGroup files;
+    const Status written = files.add(dir.file("a"), "x");
+    const Status committed = files.commit();
+    ::umask(before);
+    ASSERT_TRUE(written && committed);
+    struct stat at {};
+    ASSERT_EQ(::stat(dir.file("a").c_str(), &at), 0);
+    EXPECT_EQ(at.st_mode & 07777U, 0600U) << "without a word about it";
 }
 
 TEST(WriteFileAtomically, forItsOwnerHeedsNoUmask)

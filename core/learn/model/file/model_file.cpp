@@ -34,7 +34,7 @@ std::string contentHash(const ModelData& model)
 Status writeModel(const std::string& path, const ModelData& model)
 {
     requireArgument(model, "writeModel");
-    Result<NewFile> file = NewFile::begin(path);
+    Result<NewFile> file = NewFile::begin(path, Access::Everybody);
     if (!file) return file.error();
     try {
         model_file::fill(file->temporaryPath(), model);

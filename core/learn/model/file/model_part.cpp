@@ -117,7 +117,7 @@ Status writeModelPart(const std::string& path, const ModelPart& part)
     } catch (const model_file::Refused& refused) {
         throw std::invalid_argument(std::string("writeModelPart: ") + refused.what());
     }
-    Result<NewFile> file = NewFile::begin(path);
+    Result<NewFile> file = NewFile::begin(path, Access::Everybody);
     if (!file) return file.error();
     try {
         model_file::fill(file->temporaryPath(), part.model, &part.portion);

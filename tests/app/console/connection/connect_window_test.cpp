@@ -86,6 +86,19 @@ TEST_F(ConnectBench, listsEverySourceAndWhatMendsIt)
         << "the line stays chosen";
 }
 
+TEST_F(ConnectBench, namesTheFolderOfRecordingsIfThereIsOne)
+{
+    choose(window.list()->count() - 1);
+    EXPECT_EQ(window.facts(), "Recordings of this console (.tts), in /sessions");
+    ConnectWindow homeless({.inUse = "SIMULATED ROBOT",
+                            .look = [this](const std::stop_token&) { return offers; },
+                            .whyNot = [this] { return whyNot; }});
+    gui::showActive(homeless);
+    ASSERT_TRUE(eventually([&] { return homeless.lookButton()->isEnabled(); }));
+    homeless.list()->setCurrentRow(homeless.list()->count() - 1);
+    EXPECT_EQ(homeless.facts(), "Recordings of this console (.tts)");
+}
+
 TEST_F(ConnectBench, thePermissionToSendIsForOneBus)
 {
     offers[1].findings = goodBus().findings;

@@ -59,6 +59,8 @@ struct TrainingConsole : testing::Test {
         EXPECT_TRUE(writeModel(files->file("old.ttm"), toyModel(4)));
         EXPECT_TRUE(writeScenes(files->file("learn.csv"), someScenes(4, 1)));
         EXPECT_TRUE(writeScenes(files->file("test.csv"), someScenes(2, 7)));
+        const std::vector<Scene> learnt = someScenes(4, 1);
+        EXPECT_TRUE(writeScenes(files->file("subset.csv"), {learnt.begin(), learnt.begin() + 4}));
     }
     static void TearDownTestSuite() { delete std::exchange(files, nullptr); }
 
@@ -116,12 +118,12 @@ struct TrainingConsole : testing::Test {
         return eventually([&] { return !page->cancelButton()->isEnabled(); }, kPatience);
     }
     std::string said() const { return page->status()->text().toStdString(); }
-    void trainAndCompare()
+    void trainAndCompare(const std::string& test = "test.csv")
     {
         train(files->file("learn.csv"));
         ASSERT_TRUE(ends());
         ASSERT_TRUE(said().starts_with("Trained on")) << said();
-        type(page->testField(), files->file("test.csv"));
+        type(page->testField(), files->file(test));
         ASSERT_TRUE(page->compareButton()->isEnabled());
         EXPECT_FALSE(page->adoptButton()->isEnabled()) << "not before it was compared";
         EXPECT_TRUE(page->reason()->text().contains("Compare"));
@@ -239,6 +241,19 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     QTest::keyClick(window.get(), Qt::Key_F7);
     EXPECT_TRUE(shows("ground: learn.csv"));
     EXPECT_TRUE(shows("scenes of test.csv"));
+}
+
+TEST_F(TrainingConsole, theCardCountsTrainingScenes)
+{
+    trainAndCompare("subset.csv");
+    const auto model = readModel(models + "/trained-1.ttm");
+    ASSERT_TRUE(model);
+    const auto card = readModelCard(models + "/trained-1.ttm", model->contentHash);
+    ASSERT_TRUE(card && *card);
+    ASSERT_EQ((*card)->scores.size(), 1U);
+    const CardScores& scores = (*card)->scores.front();
+    EXPECT_GT(scores.scenes, 0U);
+    EXPECT_EQ(scores.trainingScenes, scores.scenes);
 }
 
 TEST_F(TrainingConsole, aCancelledTrainingLeavesNoFile)

@@ -152,6 +152,8 @@ TEST(Groups, areWrittenOnceAndQuotedIfNeeded)
         "class                     method        scenes   median     mean     CRPS   covers\n"
         "steps, high               pa                 3     12.0      0.0      0.0     75 %\n"
         "                          flat               3     12.0      0.0      0.0     75 %\n");
+    groups[0].group = "steps\nforged";
+    EXPECT_NE(groupsTable("class", groups).find("\nsteps?forged  "), std::string::npos);
 }
 
 TEST(Steps, haveTheirScoreAndTheReliabilityOfEachClass)

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "app/console/main_window.h"
 #include "app/display/translated.h"
 #include "app/start/language.h"
@@ -38,6 +41,17 @@ TEST_F(Look, aTroubleWithThePreferencesIsAnEvent)
     EXPECT_TRUE(eventually([&] {
         return window->events()->count() > 0
             && !window->events()->findItems("purple", Qt::MatchContains).isEmpty();
+    }));
+}
+
+TEST_F(Look, preferencesThatCannotBeSavedAreAnEvent)
+{
+    const std::string file = directory.file("console.ini");
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink("/proc/terratact", file);
+    press(Qt::Key_3);
+    EXPECT_TRUE(eventually([&] {
+        return !window->events()->findItems("it is a symbolic link", Qt::MatchContains).isEmpty();
     }));
 }
 

@@ -93,6 +93,16 @@ TEST_F(PreferencesFile, isNotSavedThroughASymbolicLink)
     EXPECT_EQ(contentOf(victim), "mine");
 }
 
+TEST_F(PreferencesFile, whoseFolderCannotBeMadeIsNamedInOneSentence)
+{
+    const auto trouble = savePreferences("/proc/terratact/console.ini", kDefaults);
+    ASSERT_TRUE(trouble);
+    EXPECT_TRUE(trouble->english().starts_with(
+        "Preferences: /proc/terratact: the directory cannot be made: "))
+        << trouble->english();
+    EXPECT_TRUE(trouble->english().ends_with("; nothing is saved")) << trouble->english();
+}
+
 TEST_F(PreferencesFile, isInAFolderForItsUserAlone)
 {
     EXPECT_FALSE(savePreferences(path(), kDefaults));
@@ -313,6 +323,10 @@ TEST(Preferences, lieInTheUsersConfigurationFolder)
     qputenv("XDG_CONFIG_HOME", "/some/where");
     EXPECT_EQ(preferencesPath(), "/some/where/terratact/console.ini");
     qunsetenv("XDG_CONFIG_HOME");
+    const QByteArray home = qgetenv("HOME");
+    qputenv("HOME", "relative");
+    EXPECT_FALSE(preferencesPath().startsWith("relative")) << "not in the working directory";
+    qputenv("HOME", home);
 }
 
 }  // namespace
