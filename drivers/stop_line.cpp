@@ -1,6 +1,7 @@
 #include "drivers/stop_line.h"
 
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -24,40 +25,40 @@ struct Address {
     const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&content); }
 };
 
-Status check(const std::string& name)
+Status check(const std::string& path)
 {
-    if (name.empty() || name.size() > 100)
+    if (path.empty() || path.size() > 100)
         return Error{TR_NOOP("core", "a stop line needs a name of 1 to 100 characters"), EINVAL};
     return Done{};
 }
 
-/// Returns an address in the abstract namespace: its name begins with a 0. Empty: the kernel
-/// chooses a name.
-Address addressOf(const std::string& name)
+/// Returns the address of a path. Empty: the kernel chooses a name without a file.
+Address addressOf(const std::string& path)
 {
     Address address;
     address.content.sun_family = AF_UNIX;
-    name.copy(address.content.sun_path + 1, sizeof address.content.sun_path - 1);
-    const std::size_t path = name.empty() ? 0 : 1 + name.size();
-    address.size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + path);
+    path.copy(address.content.sun_path, sizeof address.content.sun_path - 1);
+    const std::size_t length = path.empty() ? 0 : path.size() + 1;
+    address.size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + length);
     return address;
 }
 
-Error lastError(const std::string& name)
+Error lastError(const std::string& path)
 {
     const int code = errno;
-    return {Message::joined(Message::verbatim(name), systemMessage(code)), code};
+    return {Message::joined(Message::verbatim(path), systemMessage(code)), code};
 }
 
-Result<PosixFd> boundTo(const std::string& name)
+Result<PosixFd> boundTo(const std::string& path)
 {
     PosixFd socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-    if (!socket) return lastError(name);
+    if (!socket) return lastError(path);
     const int on = 1;
     if (::setsockopt(socket.get(), SOL_SOCKET, SO_PASSCRED, &on, sizeof on) != 0)
-        return lastError(name);
-    const Address address = addressOf(name);
-    if (::bind(socket.get(), address.get(), address.size) != 0) return lastError(name);
+        return lastError(path);
+    if (::fchmod(socket.get(), S_IRUSR | S_IWUSR) != 0) return lastError(path);
+    const Address address = addressOf(path);
+    if (::bind(socket.get(), address.get(), address.size) != 0) return lastError(path);
     return socket;
 }
 
@@ -95,19 +96,24 @@ bool read(int socket, std::string_view wanted, bool& isWanted, Address& from)
 
 }  // namespace
 
-Result<StopLine> StopLine::listen(const std::string& name)
+Result<StopLine> StopLine::listen(const std::string& path)
 {
-    if (Status good = check(name); !good) return good.error();
-    auto socket = boundTo(name);
+    if (Status good = check(path); !good) return good.error();
+    auto socket = boundTo(path);
     if (!socket) return socket.error();
-    return StopLine(std::move(*socket));
+    return StopLine(std::move(*socket), path);
+}
+
+StopLine::~StopLine()
+{
+    if (!path_.empty()) ::unlink(path_.c_str());
 }
 
 bool StopLine::consume()
 {
     bool pressed = false, isStop = false;
     Address from;
-    while (read(socket_.get(), kStop, isStop, from)) {
+    for (int i = 0; i < kMostRead && read(socket_.get(), kStop, isStop, from); ++i) {
         if (!isStop) continue;
         pressed = true;
         (void)::sendto(socket_.get(), kTaken.data(), kTaken.size(), MSG_NOSIGNAL, from.get(),
@@ -123,14 +129,16 @@ Result<StopCaller> StopCaller::open()
     return StopCaller(std::move(*socket));
 }
 
-Status StopCaller::press(const std::string& name)
+Status StopCaller::press(const std::string& path)
 {
-    if (Status good = check(name); !good) return good;
+    if (Status good = check(path); !good) return good;
+    const Address address = addressOf(path);
+    if (::connect(socket_.get(), address.get(), address.size) != 0) {
+        if (errno == ENOENT) errno = ECONNREFUSED;  // the listener took its socket along
+        return lastError(path);
+    }
     (void)isTaken();  // an answer to an earlier press does not count
-    const Address address = addressOf(name);
-    const ssize_t sent = ::sendto(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL,
-                                  address.get(), address.size);
-    if (sent < 0) return lastError(name);
+    if (::send(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL) < 0) return lastError(path);
     return Done{};
 }
 

@@ -1,30 +1,41 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "core/base/result.h"
 #include "drivers/posix_fd.h"
 
 namespace terratact {
 
-/// STOP from one program of this computer to another: a datagram over a Unix socket in the abstract
-/// namespace. The socket leaves no file and disappears with its listener. Such a socket has no
-/// permissions, so each end asks the kernel for the sender's user: only datagrams of the same user
-/// or of root count.
+/// STOP from one program of this computer to another: a datagram over a Unix socket. The receiving
+/// end is a file of mode 0600, so the kernel lets only the same user and root send to it: nobody
+/// else can fill its queue. Each end also asks the kernel for the sender's user.
 
 /// The receiving end, which stops the robot.
 class StopLine {
 public:
-    /// name: 1 to 100 characters. Error: another program uses it.
-    static Result<StopLine> listen(const std::string& name);
+    /// path: of the socket to make, 1 to 100 characters. Error: a file is there, or its folder
+    /// cannot be written.
+    static Result<StopLine> listen(const std::string& path);
+
+    StopLine(StopLine&& other) noexcept
+        : socket_(std::move(other.socket_)), path_(std::exchange(other.path_, {}))
+    {
+    }
+    ~StopLine();  ///< removes the socket
 
     /// Returns true if STOP was pressed at the other end since the last call, and answers it. Does
-    /// not wait.
+    /// not wait. One call reads at most kMostRead datagrams; the next one reads on.
     bool consume();
+    static constexpr int kMostRead = 8;
 
 private:
-    explicit StopLine(PosixFd socket) : socket_(std::move(socket)) {}
+    StopLine(PosixFd socket, std::string path) : socket_(std::move(socket)), path_(std::move(path))
+    {
+    }
     PosixFd socket_;
+    std::string path_;  ///< empty once moved from
 };
 
 /// The sending end, where STOP is pressed.
@@ -32,9 +43,9 @@ class StopCaller {
 public:
     static Result<StopCaller> open();
 
-    /// Sends STOP. Error: no program listens under this name of 1 to 100 characters, or its queue
-    /// is full.
-    Status press(const std::string& name);
+    /// Sends STOP. Error: no program listens at this path of 1 to 100 characters (ECONNREFUSED),
+    /// or its queue is full. From now on, only that program can send to this end.
+    Status press(const std::string& path);
     /// Returns true once the other end has taken it. Does not wait.
     bool isTaken();
 

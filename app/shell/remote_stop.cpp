@@ -1,7 +1,8 @@
 #include "app/shell/remote_stop.h"
 
+#include <QDir>
+#include <QTemporaryDir>
 #include <cerrno>
-#include <random>
 #include <utility>
 
 #include "app/display/format.h"
@@ -16,10 +17,8 @@ constexpr int kPollAnswer = 20;  // [ms]
 
 const std::string& stopLineName()
 {
-    static const std::string kName = [] {
-        std::random_device random;
-        return "terratact-stop-" + std::to_string(random()) + "-" + std::to_string(random());
-    }();
+    static const QTemporaryDir kFolder(QDir::temp().filePath(QStringLiteral("terratact-XXXXXX")));
+    static const std::string kName = kFolder.filePath(QStringLiteral("stop")).toStdString();
     return kName;
 }
 

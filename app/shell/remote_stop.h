@@ -13,8 +13,9 @@
 
 namespace terratact {
 
-/// Returns the name under which this program's console accepts STOP from windows it has opened. The name is constant
-/// for the process.
+/// Returns the path at which this program's console accepts STOP from windows it has opened. It is constant for the
+/// process. Its folder below the temporary one is for this user alone, and goes with the process unless that is killed.
+/// Empty: the folder could not be made.
 const std::string& stopLineName();
 
 /// Environment variable with the line of the console that started this program.

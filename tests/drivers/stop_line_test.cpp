@@ -1,13 +1,19 @@
 #include "drivers/stop_line.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include "drivers/posix_fd.h"
+#include "tests/support/other_user.h"
+#include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
@@ -37,34 +43,61 @@ TEST(StopLine, isReceivedAndAnswered)
     EXPECT_FALSE(caller->isTaken()) << "that answer was to the press before";
 }
 
-/// Runs `work` in a child process of the user nobody; returns its result, or -1 without the right to do so.
-int asNobody(int (*work)())
-{
-    constexpr uid_t kNobody = 65534;
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(::setuid(kNobody) == 0 ? work() : 255);
-    int status = 0;
-    if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-    return WEXITSTATUS(status) == 255 ? -1 : WEXITSTATUS(status);
-}
-
-std::string listenerName;
+std::string listenerPath;
 
 TEST(StopLine, ofAnotherUserIsNotHeard)
 {
-    listenerName = someName();
-    auto line = StopLine::listen(listenerName);
+    const TemporaryDirectory folder;
+    ASSERT_EQ(::chmod(folder.file("").c_str(), 0777), 0);
+    listenerPath = folder.file("stop");
+    auto line = StopLine::listen(listenerPath);
     ASSERT_TRUE(line) << line.error().text;
-    const int sent = asNobody([] {
+    constexpr uid_t kNobody = 65534;
+    const int refused = asOtherUser(kNobody, [] {
         auto caller = StopCaller::open();
-        return caller && caller->press(listenerName) ? 0 : 1;
+        constexpr int kFlood = 100;
+        for (int i = 0; i < kFlood; ++i)
+            if (!caller || caller->press(listenerPath)) return i;
+        return kFlood;
     });
-    if (sent < 0) GTEST_SKIP() << "only root may act as another user";
-    ASSERT_EQ(sent, 0) << "it was sent";
-    EXPECT_FALSE(line->consume());
+    if (refused < 0) GTEST_SKIP() << "only root may act as another user";
+    EXPECT_EQ(refused, 100) << "the kernel takes none of them";
     auto caller = StopCaller::open();
-    ASSERT_TRUE(caller && caller->press(listenerName));
+    ASSERT_TRUE(caller && caller->press(listenerPath)) << "they have not filled the queue";
     EXPECT_TRUE(line->consume()) << "the same user is heard";
+    EXPECT_FALSE(line->consume());
+}
+
+TEST(StopLine, aFloodIsReadInPartsAndHidesNoStop)
+{
+    auto line = StopLine::listen(someName());
+    ASSERT_TRUE(line) << line.error().text;
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    someName().copy(address.sun_path, sizeof address.sun_path - 1);
+    const PosixFd flood(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(::connect(flood.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
+              0);
+    for (int i = 0; i < StopLine::kMostRead; ++i) ASSERT_EQ(::send(flood.get(), "x", 1, 0), 1);
+    auto caller = StopCaller::open();
+    ASSERT_TRUE(caller && caller->press(someName()));
+    EXPECT_FALSE(line->consume()) << "one call reads no more, so that no flood holds it";
+    EXPECT_TRUE(line->consume());
+    EXPECT_TRUE(caller->isTaken());
+}
+
+TEST(StopLine, leavesNoFile)
+{
+    const TemporaryDirectory folder;
+    {
+        auto line = StopLine::listen(folder.file("stop"));
+        ASSERT_TRUE(line) << line.error().text;
+        const StopLine moved(std::move(*line));
+        struct stat made {};
+        ASSERT_EQ(::stat(folder.file("stop").c_str(), &made), 0);
+        EXPECT_EQ(made.st_mode & 0077U, 0U) << "others cannot send to it";
+    }
+    EXPECT_TRUE(folder.entries().empty());
 }
 
 TEST(StopLine, missingListenerIsAnError)
