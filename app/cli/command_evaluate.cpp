@@ -25,14 +25,19 @@ namespace terratact {
 namespace {
 
 /// trained: number of the scenes that the model was trained on.
-void printNotices(const std::vector<Message>& notices, std::size_t trained, std::size_t scenes)
+void printTrained(std::size_t trained, std::size_t scenes)
 {
-    for (const Message& notice : notices) printText(stderr, "terratact: {}\n", notice.english());
     if (trained > 0)
         printText(stderr,
                   "terratact: {} of {} scenes are training scenes of this model: errors look "
                   "smaller than they are\n",
                   trained, scenes);
+}
+
+void printNotices(const std::vector<Message>& notices, std::size_t trained, std::size_t scenes)
+{
+    for (const Message& notice : notices) printText(stderr, "terratact: {}\n", notice.english());
+    printTrained(trained, scenes);
 }
 
 void printRunAndContradictions(const MethodRun& run)
@@ -98,13 +103,28 @@ Status evaluateTwoTracks(const EvaluateOptions& options)
     return reportTracks(file->scenes, **bundle, options);
 }
 
-/// Returns true if the networks have learnt from exactly this file of drives.
-bool haveLearnt(const TrailModel& networks, const std::string& drives)
+/// Returns true if the networks do not know their drives, but have learnt from exactly this file.
+bool haveLearntFile(const TrailData& networks, const std::string& drives)
 {
+    if (!networks.plane.drives.empty() || !networks.side.drives.empty()) return false;
     std::error_code none;
     if (!std::filesystem::is_regular_file(drives, none)) return false;  // a pipe is read only once
     const auto hash = sha256OfFile(drives);
-    return hash && (*hash == networks.data().planeHash || *hash == networks.data().sideHash);
+    return hash && (*hash == networks.planeHash || *hash == networks.sideHash);
+}
+
+/// Says which drives the networks, and which scenes the model was trained on.
+void printTrained(const DriveFindings& findings, const Models& models, const std::string& drives)
+{
+    printTrained(findings.trainingScenes, findings.scenes + findings.early);
+    if (findings.trainingDrives > 0)
+        printText(stderr,
+                  "terratact: the networks have learnt from {} of {} drives: errors of trail look "
+                  "smaller than they are\n",
+                  findings.trainingDrives, findings.drives);
+    else if (models.trail && haveLearntFile(models.trail->data(), drives))
+        printText(stderr, "terratact: the networks have learnt from these drives: errors of trail "
+                          "look smaller than they are\n");
 }
 
 Status evaluateDrives(const EvaluateOptions& options)
@@ -115,10 +135,7 @@ Status evaluateDrives(const EvaluateOptions& options)
         options.drives, **bundle, options.methods, options.settings,
         [](const Message& notice) { printText(stderr, "terratact: {}\n", notice.english()); });
     if (!findings) return findings.error();
-    const auto& networks = (*bundle)->models.trail;
-    if (networks && haveLearnt(*networks, options.drives))
-        printText(stderr, "terratact: the networks have learnt from these drives: errors of trail "
-                          "look smaller than they are\n");
+    printTrained(*findings, (*bundle)->models, options.drives);
     printText("{}", Lines(driveTable(*findings)));
     return Done{};
 }

@@ -64,6 +64,7 @@ Status keepInCard(const ComparisonPlan& plan, const ModelComparison& comparison)
                         .data = {},
                         .dataHash = {},
                         .scenes = comparison.scenes,
+                        .trainingScenes = comparison.newTrained,
                         .meanError = all.mean,
                         .coverage = all.coverage}});
 }

@@ -1,15 +1,10 @@
 #include "core/trail/trail_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "core/base/text.h"
 #include "core/learn/model/file/model_checks.h"
@@ -20,7 +15,7 @@
 #include "core/store/sha256.h"
 #include "core/store/sqlite.h"
 #include "core/store/sqlite_tables.h"
-#include "core/trail/trail_inputs.h"
+#include "core/trail/trail_tables.h"
 
 namespace terratact {
 namespace {
@@ -30,118 +25,8 @@ using model_file::Refused;
 using model_file::require;
 
 constexpr std::int64_t kTrailApplication = 0x54544E31;  // "TTN1"
-constexpr std::int64_t kTrailVersion = 3;
 constexpr std::uintmax_t kMaxTrailBytes = std::uintmax_t{32} * 1024 * 1024;
-constexpr Eigen::Index kMaxNetworks = 16, kMaxLayers = 8;
-constexpr Eigen::Index kMaxWidth = 499;  // a blob of the file has at most 1 000 000 bytes
 constexpr double kMostSteps = 32'000.0;
-constexpr std::int64_t kMaxDrive = 1'000'000'000;
-
-static_assert(std::endian::native == std::endian::little,
-              "numbers are stored as they lie in memory");
-
-/// One kind of networks: its name in the file, its inputs, and the sides of an error scene.
-struct Kind {
-    const char* name;
-    Eigen::Index inputs, sides;
-};
-constexpr Kind kPlaneKind{"plane", kPlaneInputs, 1}, kSideKind{"side", kSideInputs, 2};
-
-const std::vector<SqliteTable>& trailSchema()
-{
-    static const std::vector<SqliteTable> tables{
-        {"error",
-         "CREATE TABLE error(kind TEXT NOT NULL, scene INTEGER NOT NULL, drive INTEGER NOT NULL, "
-         "covered_left INTEGER NOT NULL, covered_right INTEGER NOT NULL, predicted BLOB NOT NULL, "
-         "residual BLOB "
-         "NOT NULL) STRICT"},
-        {"input", "CREATE TABLE input(kind TEXT NOT NULL, position INTEGER NOT NULL, mean REAL NOT "
-                  "NULL, sd REAL NOT NULL) STRICT"},
-        {"layer",
-         "CREATE TABLE layer(kind TEXT NOT NULL, network INTEGER NOT NULL, layer INTEGER NOT "
-         "NULL, outputs INTEGER NOT NULL, inputs INTEGER NOT NULL, weight BLOB NOT NULL, bias "
-         "BLOB NOT NULL) STRICT"},
-        {"meta", "CREATE TABLE meta(key TEXT NOT NULL, value TEXT NOT NULL) STRICT"},
-        {"scale",
-         "CREATE TABLE scale(kind TEXT NOT NULL, bin INTEGER NOT NULL, covered INTEGER NOT "
-         "NULL, mean REAL NOT NULL, sd REAL NOT NULL) STRICT"}};
-    return tables;
-}
-
-template <class Number>
-std::string bytesOf(const Number* numbers, Eigen::Index count)
-{
-    std::string bytes(static_cast<std::size_t>(count) * sizeof(Number), '\0');
-    std::memcpy(bytes.data(), numbers, bytes.size());
-    return bytes;
-}
-
-template <class Number>
-std::vector<Number> numbersOf(const std::string& bytes, Eigen::Index count)
-{
-    require(bytes.size() == static_cast<std::size_t>(count) * sizeof(Number),
-            TR_NOOP("core", "a table holds numbers of another size"));
-    std::vector<Number> numbers(static_cast<std::size_t>(count));
-    std::memcpy(numbers.data(), bytes.data(), bytes.size());
-    return numbers;
-}
-
-std::string stepsOf(const Eigen::VectorXf& values)
-{
-    std::vector<std::int16_t> steps;
-    steps.reserve(static_cast<std::size_t>(values.size()));
-    for (const float value : values) steps.push_back(errorSteps(value));
-    return bytesOf(steps.data(), values.size());
-}
-
-Eigen::VectorXf valuesOf(const std::string& bytes, Eigen::Index count)
-{
-    const std::vector<std::int16_t> steps = numbersOf<std::int16_t>(bytes, count);
-    Eigen::VectorXf values(count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        values[i] = errorOfSteps(steps[static_cast<std::size_t>(i)]);
-    return values;
-}
-
-const auto& scalesOf(const TrailNetworks& networks, bool covered)
-{
-    return covered ? networks.covered : networks.open;
-}
-
-/// Returns the networks in the file's order: that of the errors' size is the last one.
-std::vector<const Network*> allOf(const TrailNetworks& networks)
-{
-    std::vector<const Network*> all;
-    all.reserve(networks.networks.size() + 1);
-    for (const Network& network : networks.networks) all.push_back(&network);
-    if (!networks.isEmpty()) all.push_back(&networks.size);
-    return all;
-}
-
-void addTo(CanonicalBytes& bytes, const TrailNetworks& networks)
-{
-    for (Eigen::Index i = 0; i < networks.inputMean.size(); ++i) {
-        bytes.add(networks.inputMean[i]);
-        bytes.add(networks.inputSd[i]);
-    }
-    for (const bool covered : {false, true})
-        for (const TrailScale& scale : scalesOf(networks, covered)) {
-            bytes.add(scale.mean);
-            bytes.add(scale.sd);
-        }
-    for (const Network* network : allOf(networks))
-        for (const NetworkLayer& layer : network->layers) {
-            bytes.add(bytesOf(layer.weight.data(), layer.weight.size()));
-            bytes.add(bytesOf(layer.bias.data(), layer.bias.size()));
-        }
-    for (Eigen::Index u = 0; u < networks.errors.predicted.cols(); ++u) {
-        for (const unsigned mask : networks.errors.covered[static_cast<std::size_t>(u)])
-            bytes.add(std::uint64_t{mask});
-        bytes.add(static_cast<std::uint64_t>(networks.errors.drive[static_cast<std::size_t>(u)]));
-        bytes.add(stepsOf(networks.errors.predicted.col(u)));
-        bytes.add(stepsOf(networks.errors.residual.col(u)));
-    }
-}
 
 std::string hashOf(const TrailData& data)
 {
@@ -152,49 +37,9 @@ std::string hashOf(const TrailData& data)
     for (const auto& [networks, hash] :
          {std::pair{&data.plane, &data.planeHash}, std::pair{&data.side, &data.sideHash}}) {
         bytes.add(*hash);
-        addTo(bytes, *networks);
+        trail_file::addContent(bytes, *networks);
     }
     return sha256Hex(bytes.bytes());
-}
-
-void writeNetworks(SqliteFile& file, const Kind& kind, const TrailNetworks& networks)
-{
-    SqliteStatement input = file.prepare("INSERT INTO input VALUES(?, ?, ?, ?)");
-    for (int i = 0; i < static_cast<int>(networks.inputMean.size()); ++i)
-        insert(input, kind.name, i, networks.inputMean[i], networks.inputSd[i]);
-    SqliteStatement scale = file.prepare("INSERT INTO scale VALUES(?, ?, ?, ?, ?)");
-    for (const bool covered : {false, true})
-        for (int bin = 0; bin < kBins; ++bin) {
-            const TrailScale& own = scalesOf(networks, covered)[static_cast<std::size_t>(bin)];
-            insert(scale, kind.name, bin, covered ? 1 : 0, own.mean, own.sd);
-        }
-    SqliteStatement row = file.prepare("INSERT INTO layer VALUES(?, ?, ?, ?, ?, ?, ?)");
-    const std::vector<const Network*> all = allOf(networks);
-    for (std::size_t n = 0; n < all.size(); ++n)
-        for (std::size_t k = 0; k < all[n]->layers.size(); ++k) {
-            const NetworkLayer& layer = all[n]->layers[k];
-            row.bind(0, kind.name);
-            row.bind(1, static_cast<std::int64_t>(n));
-            row.bind(2, static_cast<std::int64_t>(k));
-            row.bind(3, std::int64_t{layer.weight.rows()});
-            row.bind(4, std::int64_t{layer.weight.cols()});
-            row.bindBlob(5, bytesOf(layer.weight.data(), layer.weight.size()));
-            row.bindBlob(6, bytesOf(layer.bias.data(), layer.bias.size()));
-            row.run();
-        }
-    const TrailErrors& errors = networks.errors;
-    SqliteStatement error = file.prepare("INSERT INTO error VALUES(?, ?, ?, ?, ?, ?, ?)");
-    for (Eigen::Index u = 0; u < errors.predicted.cols(); ++u) {
-        const auto& covered = errors.covered[static_cast<std::size_t>(u)];
-        error.bind(0, kind.name);
-        error.bind(1, std::int64_t{u});
-        error.bind(2, std::int64_t{errors.drive[static_cast<std::size_t>(u)]});
-        error.bind(3, std::int64_t{covered[0]});
-        error.bind(4, std::int64_t{covered[1]});
-        error.bindBlob(5, stepsOf(errors.predicted.col(u)));
-        error.bindBlob(6, stepsOf(errors.residual.col(u)));
-        error.run();
-    }
 }
 
 std::map<std::string, std::string> metaOf(const TrailData& data)
@@ -218,163 +63,25 @@ void fillTrail(const std::string& path, const TrailData& data)
     SqliteFile file = SqliteFile::fill(path);
     file.run("PRAGMA page_size = 4096");
     file.run("PRAGMA application_id = " + std::to_string(kTrailApplication));
-    file.run("PRAGMA user_version = " + std::to_string(kTrailVersion));
-    for (const SqliteTable& table : trailSchema()) file.run(table.sql);
+    file.run("PRAGMA user_version = " + std::to_string(trail_file::kVersion));
+    for (const SqliteTable& table : trail_file::tablesOf(trail_file::kVersion)) file.run(table.sql);
     file.run("BEGIN");
     writeMeta(file, data);
-    if (!data.plane.isEmpty()) writeNetworks(file, kPlaneKind, data.plane);
-    if (!data.side.isEmpty()) writeNetworks(file, kSideKind, data.side);
+    if (!data.plane.isEmpty()) trail_file::writeNetworks(file, trail_file::kPlaneKind, data.plane);
+    if (!data.side.isEmpty()) trail_file::writeNetworks(file, trail_file::kSideKind, data.side);
     file.run("COMMIT");
     file.close();
-}
-
-void readInputs(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
-{
-    std::vector<double> mean, sd;
-    SqliteStatement row =
-        file.prepare("SELECT position, mean, sd FROM input WHERE kind = ? ORDER BY position");
-    row.bind(0, kind.name);
-    while (row.step()) {
-        require(row.integer(0) == std::ssize(mean) && std::ssize(mean) < kind.inputs,
-                TR_NOOP("core", "its inputs are not those of this program"));
-        mean.push_back(row.real(1));
-        sd.push_back(row.real(2));
-    }
-    networks.inputMean = Eigen::Map<Eigen::VectorXd>(mean.data(), std::ssize(mean));
-    networks.inputSd = Eigen::Map<Eigen::VectorXd>(sd.data(), std::ssize(sd));
-}
-
-void readScales(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
-{
-    SqliteStatement row = file.prepare(
-        "SELECT covered, bin, mean, sd FROM scale WHERE kind = ? ORDER BY covered, bin");
-    row.bind(0, kind.name);
-    for (auto* scales : {&networks.open, &networks.covered})
-        for (int bin = 0; bin < kBins; ++bin) {
-            require(row.step() && row.integer(0) == (scales == &networks.covered ? 1 : 0)
-                        && row.integer(1) == bin,
-                    TR_NOOP("core", "a bin's scale is missing"));
-            (*scales)[static_cast<std::size_t>(bin)] = {row.real(2), row.real(3)};
-        }
-    require(!row.step(), TR_NOOP("core", "a bin has two scales"));
-}
-
-NetworkLayer layerOf(const SqliteStatement& row)
-{
-    const Eigen::Index outputs = row.integer(2), inputs = row.integer(3);
-    require(outputs > 0 && outputs <= kMaxWidth && inputs > 0 && inputs <= kMaxWidth,
-            TR_NOOP("core", "a layer of a network is too wide"));
-    const std::vector<float> weight = numbersOf<float>(row.blob(4), outputs * inputs);
-    const std::vector<float> bias = numbersOf<float>(row.blob(5), outputs);
-    return {Eigen::Map<const Eigen::MatrixXf>(weight.data(), outputs, inputs),
-            Eigen::Map<const Eigen::VectorXf>(bias.data(), outputs)};
-}
-
-void readLayers(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
-{
-    SqliteStatement row = file.prepare(
-        "SELECT network, layer, outputs, inputs, weight, bias FROM layer WHERE kind = ? ORDER BY "
-        "network, layer");
-    row.bind(0, kind.name);
-    while (row.step()) {
-        const std::int64_t network = row.integer(0), layer = row.integer(1);
-        if (network == std::ssize(networks.networks) && layer == 0)
-            networks.networks.emplace_back();
-        require(!networks.networks.empty() && network == std::ssize(networks.networks) - 1
-                    && network <= kMaxNetworks
-                    && layer == std::ssize(networks.networks.back().layers) && layer < kMaxLayers,
-                TR_NOOP("core", "a layer of a network is missing"));
-        networks.networks.back().layers.push_back(layerOf(row));
-    }
-    if (networks.isEmpty()) return;
-    networks.size = std::move(networks.networks.back());
-    networks.networks.pop_back();
-    require(!networks.isEmpty(), TR_NOOP("core", "a layer of a network is missing"));
-}
-
-int driveOf(std::int64_t number)
-{
-    require(number >= 0 && number <= kMaxDrive,
-            TR_NOOP("core", "the number of a drive is out of range"));
-    return static_cast<int>(number);
-}
-
-unsigned maskOf(std::int64_t number)
-{
-    require(number >= 0 && number < (std::int64_t{1} << kBins),
-            TR_NOOP("core", "covered bins are out of range"));
-    return static_cast<unsigned>(number);
-}
-
-void readErrors(SqliteFile& file, const Kind& kind, TrailNetworks& networks)
-{
-    std::vector<Eigen::VectorXf> predicted, residual;
-    SqliteStatement row =
-        file.prepare("SELECT scene, drive, covered_left, covered_right, predicted, "
-                     "residual FROM error WHERE kind = ? ORDER BY scene");
-    row.bind(0, kind.name);
-    while (row.step()) {
-        require(row.integer(0) == std::ssize(predicted) && row.integer(0) < kMaxTrailErrors,
-                TR_NOOP("core", "a scene of the errors is missing, or there are too many"));
-        networks.errors.drive.push_back(driveOf(row.integer(1)));
-        networks.errors.covered.push_back({maskOf(row.integer(2)), maskOf(row.integer(3))});
-        predicted.push_back(valuesOf(row.blob(4), kind.sides * kBins));
-        residual.push_back(valuesOf(row.blob(5), kind.sides * kBins));
-    }
-    const Eigen::Index scenes = std::ssize(predicted);
-    networks.errors.predicted.resize(kind.sides * kBins, scenes);
-    networks.errors.residual.resize(kind.sides * kBins, scenes);
-    for (Eigen::Index u = 0; u < scenes; ++u) {
-        networks.errors.predicted.col(u) = predicted[static_cast<std::size_t>(u)];
-        networks.errors.residual.col(u) = residual[static_cast<std::size_t>(u)];
-    }
-}
-
-TrailNetworks readNetworks(SqliteFile& file, const Kind& kind)
-{
-    TrailNetworks networks;
-    readLayers(file, kind, networks);
-    if (networks.isEmpty()) return networks;
-    readInputs(file, kind, networks);
-    readScales(file, kind, networks);
-    readErrors(file, kind, networks);
-    try {
-        requireTrailNetworks(networks, kind.inputs, kind.sides);
-    } catch (const std::invalid_argument& refused) {
-        throw Refused{Message::verbatim(refused.what())};
-    }
-    return networks;
-}
-
-/// Refuses rows that no kind of networks reads.
-void requireKnownRows(SqliteFile& file, const TrailData& data)
-{
-    for (const std::string table : {"error", "input", "layer", "scale"})
-        for (const auto& [kind, networks] :
-             {std::pair{&kPlaneKind, &data.plane}, std::pair{&kSideKind, &data.side}}) {
-            if (!networks->isEmpty()) continue;
-            SqliteStatement row =
-                file.prepare(fmt::format("SELECT count(*) FROM {} WHERE kind = ?", table));
-            row.bind(0, kind->name);
-            require(row.step() && row.integer(0) == 0,
-                    TR_NOOP("core", "it has rows of networks without layers"));
-        }
-    for (const std::string table : {"error", "input", "layer", "scale"})
-        require(file.integer(fmt::format("SELECT count(*) FROM {} WHERE kind NOT IN ('plane', "
-                                         "'side')",
-                                         table))
-                    == 0,
-                TR_NOOP("core", "it has rows of an unknown kind of networks"));
 }
 
 StoredTrail readStoredTrail(SqliteFile& file)
 {
     require(file.integer("PRAGMA application_id") == kTrailApplication,
             TR_NOOP("core", "is an SQLite file of another application, not trail networks"));
-    require(file.integer("PRAGMA user_version") == kTrailVersion,
+    const std::int64_t version = file.integer("PRAGMA user_version");
+    require(version == trail_file::kVersion || version == trail_file::kVersionWithoutDrives,
             TR_NOOP("core", "is of another format version: `terratact train --drives` makes new "
                             "networks"));
-    require(hasOnlyTables(file, trailSchema()),
+    require(hasOnlyTables(file, trail_file::tablesOf(version)),
             TR_NOOP("core", "its tables are not those of trail networks"));
     std::map<std::string, std::string> meta;
     SqliteStatement row = file.prepare("SELECT key, value FROM meta");
@@ -387,9 +94,9 @@ StoredTrail readStoredTrail(SqliteFile& file)
     const auto seed = writtenIntegerFrom<std::uint64_t>(meta["seed"]);
     require(seed.has_value(), TR_NOOP("core", "its seed is not a number"));
     data.seed = *seed;
-    data.plane = readNetworks(file, kPlaneKind);
-    data.side = readNetworks(file, kSideKind);
-    requireKnownRows(file, data);
+    data.plane = trail_file::readNetworks(file, trail_file::kPlaneKind, version);
+    data.side = trail_file::readNetworks(file, trail_file::kSideKind, version);
+    trail_file::requireKnownRows(file, data, version);
     require(!data.plane.isEmpty() || !data.side.isEmpty(), TR_NOOP("core", "it holds no network"));
     require(metaOf(data) == meta,
             TR_NOOP("core", "its content does not match its hash: it was changed or damaged"));
@@ -415,7 +122,8 @@ Status writeTrail(const std::string& path, const TrailData& data)
     for (const TrailNetworks* networks : {&data.plane, &data.side})
         for (const Network& network : networks->networks)
             for (const NetworkLayer& layer : network.layers)
-                if (layer.weight.rows() > kMaxWidth || layer.weight.cols() > kMaxWidth)
+                if (layer.weight.rows() > trail_file::kMaxWidth
+                    || layer.weight.cols() > trail_file::kMaxWidth)
                     throw std::invalid_argument("writeTrail: a layer is too wide");
     const TrailModel valid(data);
     if (!valid.hasPlane() && !valid.hasSides())

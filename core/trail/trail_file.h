@@ -26,17 +26,18 @@ float errorOfSteps(std::int16_t steps);
 /// Largest number of scenes of errors of one kind of networks.
 inline constexpr Eigen::Index kMaxTrailErrors = 12'000;
 
-/// Writes a *.ttn file: one SQLite file (application_id 0x54544E31, user_version 3). It holds the
+/// Writes a *.ttn file: one SQLite file (application_id 0x54544E31, user_version 4). It holds the
 /// inputs' mean and sd, the scales of the bins, the training command and the content's hash. Layers
 /// are 32-bit floats, little endian, column by column. Errors are 16-bit integers in
-/// kTrailErrorStep. The same data give the same bytes. The file is written under a temporary
-/// name and then renamed. Throws std::invalid_argument for data that readTrail() would refuse.
+/// kTrailErrorStep. Marks of the training drives (core/learn/data/drive_copies.h) are 32-bit
+/// integers. The same data give the same bytes. The file is written under a temporary name and then
+/// renamed. Throws std::invalid_argument for data that readTrail() would refuse.
 Status writeTrail(const std::string& path, const TrailData& data);
 
-/// Opens the file read-only and validates it: application_id, user_version, schema, at most 16
-/// networks of at most 8 layers, and behind them that of the errors' size. A layer has at most 499
-/// numbers each way. Numbers must be finite, and the content's hash must match. Errors are one
-/// sentence that names the file and the cause.
+/// Opens the file read-only and validates it: application_id, user_version 4 (or 3, without marks of
+/// drives), schema, at most 16 networks of at most 8 layers, and behind them that of the errors' size.
+/// A layer has at most 499 numbers each way. Numbers must be finite, and the content's hash must
+/// match. Errors are one sentence that names the file and the cause.
 Result<StoredTrail> readTrail(const std::string& path);
 
 }  // namespace terratact

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -162,6 +163,11 @@ void requireTrailNetworks(const TrailNetworks& networks, Eigen::Index inputs, Ei
                        && networks.size.outputs() == Eigen::Index{kBins},
                    "the size of errors has another number of inputs or outputs");
     requireErrors(networks.errors, sides * kBins);
+    for (const DriveMarks& marks : networks.drives)
+        requireOfTrail(!marks.empty() && marks.size() <= kMaxDriveMarks
+                           && std::ranges::adjacent_find(marks, std::greater_equal())
+                                  == marks.end(),
+                       "a training drive has no marks, too many, or not in order");
 }
 
 TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& inputs)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/learn/data/drive_copies.h"
 #include "core/learn/model/residual_sample.h"
 #include "core/learn/net/network.h"
 #include "core/terrain/bins.h"
@@ -39,6 +40,8 @@ struct TrailNetworks {
     /// of the networks, and their standardised inputs.
     Network size;
     TrailErrors errors;
+    /// Training drives, those of the errors, too; empty: unknown.
+    std::vector<DriveMarks> drives;
 
     bool isEmpty() const { return networks.empty(); }
     /// Returns true if training held the regime of every bin. mask: covered bins.

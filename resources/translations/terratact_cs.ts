@@ -185,14 +185,6 @@
         <translation>%1; v jeho pásmech 80 % tam leží %2 % skutečných výšek, u starého %3 %.</translation>
     </message>
     <message>
-        <source>The new model was trained on this file, so its error looks too small: choose scenes it has not seen.</source>
-        <translation>Nový model se učil právě z tohoto souboru, což mu lichotí: vyberte scény, které neviděl.</translation>
-    </message>
-    <message>
-        <source>The old model was trained on this file, so its error looks too small.</source>
-        <translation>Starý model se učil právě z tohoto souboru, což mu lichotí.</translation>
-    </message>
-    <message>
         <source>Too few drives: the difference may be chance.</source>
         <translation>Příliš málo jízd: nelze říci, zda rozdíl není náhoda.</translation>
     </message>
@@ -207,6 +199,14 @@
     <message>
         <source>%1 scenes left out that only one model or none could estimate (only the old %2, only the new %3): %4.</source>
         <translation>Vynecháno scén: %1, odhadl je jen jeden model, nebo žádný (jen starý %2, jen nový %3): %4.</translation>
+    </message>
+    <message>
+        <source>The new model was trained on %1 of these %2 scenes, so its error looks too small. Choose scenes it has not seen.</source>
+        <translation>Nový model byl naučen na %1 z těchto %2 scén, proto jeho chyba vypadá příliš malá. Zvolte scény, které nezná.</translation>
+    </message>
+    <message>
+        <source>The old model was trained on %1 of these %2 scenes, so its error looks too small.</source>
+        <translation>Starý model byl naučen na %1 z těchto %2 scén, proto jeho chyba vypadá příliš malá.</translation>
     </message>
 </context>
 <context>

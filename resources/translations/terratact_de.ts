@@ -185,14 +185,6 @@
         <translation>%1; seine 80-%-Bänder enthalten dort %2 % der wahren Höhen, die des alten %3 %.</translation>
     </message>
     <message>
-        <source>The new model was trained on this file, so its error looks too small: choose scenes it has not seen.</source>
-        <translation>Das neue Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm: Szenen wählen, die es nicht kennt.</translation>
-    </message>
-    <message>
-        <source>The old model was trained on this file, so its error looks too small.</source>
-        <translation>Das alte Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm.</translation>
-    </message>
-    <message>
         <source>Too few drives: the difference may be chance.</source>
         <translation>Zu wenige Fahrten, um zu sagen, ob der Unterschied Zufall ist.</translation>
     </message>
@@ -207,6 +199,14 @@
     <message>
         <source>%1 scenes left out that only one model or none could estimate (only the old %2, only the new %3): %4.</source>
         <translation>%1 Szenen ausgelassen, die nur ein Modell oder keines schätzen konnte (nur das alte %2, nur das neue %3): %4.</translation>
+    </message>
+    <message>
+        <source>The new model was trained on %1 of these %2 scenes, so its error looks too small. Choose scenes it has not seen.</source>
+        <translation>Das neue Modell hat %1 dieser %2 Szenen gelernt, daher wirkt sein Fehler zu klein. Szenen wählen, die es nicht kennt.</translation>
+    </message>
+    <message>
+        <source>The old model was trained on %1 of these %2 scenes, so its error looks too small.</source>
+        <translation>Das alte Modell hat %1 dieser %2 Szenen gelernt, daher wirkt sein Fehler zu klein.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 """Tests `terratact train --drives` and `evaluate --drives`: networks that remember a drive."""
 
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -24,20 +25,31 @@ class TrailNetworks(unittest.TestCase):
         learnt = networks.read_bytes()
         run(*train, "--out", networks)
         self.assertEqual(learnt, networks.read_bytes(), "the same drives and seed")
-        for data, sides in ((drives, 1), (tracks, 2)):
+        header, *lines = drives.read_text().splitlines(keepends=True)
+        first_drives = path / "first_drives.csv"
+        first_drives.write_text(header + "".join([line for line in lines if line.split(",")[0] in {"1", "2", "3"}][1:]))
+        for data, count in ((drives, 22), (tracks, 22), (first_drives, 3)):
             done = subprocess.run([CLI, "evaluate", "--drives", data, "--trail", networks], capture_output=True,
                                   text=True, timeout=500, check=True)
-            self.assertIn("the networks have learnt from these drives", done.stderr)
+            self.assertIn(f"the networks have learnt from {count} of {count} drives", done.stderr)
             text = done.stdout
-            self.assertRegex(text, r"22 drives\n\n\d+ scenes after 0.85 m")
+            self.assertRegex(text, rf"{count} drives\n\n\d+ scenes after 0.85 m")
             for method in ("local", "trail"):
                 self.assertRegex(text, rf"\n{method} +\d+\.\d\d +\d+\.\d\d +\d+\.\d ")
         again = path / "again.csv"
-        again.write_text("".join(line if k == 0 else "again " + line
-                                 for k, line in enumerate(drives.read_text().splitlines(keepends=True))))
-        done = subprocess.run([CLI, "train", "--drives", drives, again, "--networks", "1", "--epochs", "1", "--out",
-                               networks], capture_output=True, text=True, timeout=500, check=True)
+        again.write_text("".join([header, *("again " + line for line in lines[:-1])]))
+        train = (CLI, "train", "--drives", drives, again, "--networks", "1", "--epochs", "1", "--out", networks)
+        done = subprocess.run(train, capture_output=True, text=True, timeout=500, check=True)
         self.assertIn("22 drives are there twice: their copies were left out", done.stderr)
+        pitch, rows = header.split(",").index("pitch_rad"), [line.split(",") for line in lines]
+        for row in rows:
+            row[0], row[pitch] = "again " + row[0], str(float(row[pitch]) + 0.004)
+        again.write_text(header + "".join(",".join(row) for row in rows))
+        done = subprocess.run(train, capture_output=True, text=True, timeout=500, check=True)
+        self.assertNotIn("there twice", done.stderr)
+        repeats = re.search(r"(\d+) scenes repeat a place of an earlier drive", done.stderr)
+        self.assertTrue(repeats, done.stderr)
+        self.assertGreater(2 * int(repeats[1]), sum("scene" in row for row in rows))
         self.assertIn("two tracks", complaint("train", "--drives", tracks, "--out", networks))
         self.assertIn("not trail networks", complaint("evaluate", "--drives", drives, "--trail", model))
         complaint("evaluate", "--drives", drives, "--data", scenes, code=2)

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "core/learn/data/drive_copies.h"
 #include "core/robot/robot_model.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/way_drive.h"
@@ -44,6 +45,7 @@ TrailData smallTrail()
     options.network.batch = 32;
     TrailData trail;
     trail.plane = trainTrail(trailRows(drives, 0, absolem(), false, 1), false, options);
+    for (const DriveLines& drive : drives) trail.plane.drives.push_back(driveMarks(drive));
     trail.command = "terratact train";
     trail.planeHash = std::string(64, 'a');
     return trail;

@@ -67,11 +67,16 @@ QString ComparisonWords::sentence(const ModelComparison& c)
 QString ComparisonWords::caution(const ModelComparison& c)
 {
     QStringList cautions;
-    if (c.newLearntThese)
-        cautions << tr("The new model was trained on this file, so its error looks too small: "
-                       "choose scenes it has not seen.");
-    if (c.oldLearntThese)
-        cautions << tr("The old model was trained on this file, so its error looks too small.");
+    if (c.newTrained > 0)
+        cautions << tr("The new model was trained on %1 of these %2 scenes, so its error looks too "
+                       "small. Choose scenes it has not seen.")
+                        .arg(c.newTrained)
+                        .arg(c.scenes);
+    if (c.oldTrained > 0)
+        cautions << tr("The old model was trained on %1 of these %2 scenes, so its error looks too "
+                       "small.")
+                        .arg(c.oldTrained)
+                        .arg(c.scenes);
     if (!c.nearDifference)
         cautions << tr("Too few drives: the difference may be chance.");
     else if (c.nearDifference->low <= 0.0 && c.nearDifference->high >= 0.0)

@@ -11,6 +11,7 @@
 #include "app/modelling/scene_estimates.h"
 #include "app/runtime/parallel.h"
 #include "core/infer/sampling/watch.h"
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/model/file/model_file.h"
 #include "core/store/file_read.h"
@@ -120,13 +121,12 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     comparison.tried = scenes.size();
     comparison.dataHash = file->hash;
     comparison.newContent = (*after)->model.contentHash;
-    comparison.oldLearntThese = (*before)->model.data.dataHash == file->hash;
-    comparison.newLearntThese = (*after)->model.data.dataHash == file->hash;
     Errors ofBefore, ofAfter;
+    std::vector<Scene> judged;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const EstimatePair& pair = pairs[k];
         if (pair.both()) {
-            ++comparison.scenes;
+            judged.push_back(scenes[k]);
             const auto add = [&](Errors& errors, const SceneEstimate& estimate) {
                 const Errors more = binErrors(k, scenes[k], "model", *estimate.estimate);
                 errors.insert(errors.end(), more.begin(), more.end());
@@ -140,11 +140,14 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
         if (comparison.whyNot.empty())
             comparison.whyNot = pair.after.estimate ? pair.before.whyNone : pair.after.whyNone;
     }
-    if (comparison.scenes == 0)
+    if (judged.empty())
         return fileError(plan.data,
                          Message(TR_NOOP("core", "no scene that both models can estimate: %1; "
                                                  "choose another file of scenes"),
                                  comparison.whyNot));
+    comparison.scenes = judged.size();
+    comparison.oldTrained = trainingScenes(judged, (*before)->model.data.features);
+    comparison.newTrained = trainingScenes(judged, (*after)->model.data.features);
     comparison.before = summaryOf(ofBefore);
     comparison.after = summaryOf(ofAfter);
     comparison.nearDifference = differenceOf(ofBefore, ofAfter, scenes, plan.settings.seed);

@@ -36,10 +36,10 @@ struct ModelComparison {
     /// 95 % interval of the difference new − old of the mean |error| near the robot [m], bootstrapped over drives.
     /// Empty for fewer than kMinRuns drives.
     std::optional<Interval> nearDifference;
-    std::string newContent;       ///< contentHash() of the new model
-    std::string dataHash;         ///< hash of the scene file as read
-    bool newLearntThese = false;  ///< the new model was trained on this file
-    bool oldLearntThese = false;
+    std::string newContent;      ///< contentHash() of the new model
+    std::string dataHash;        ///< hash of the scene file as read
+    std::size_t newTrained = 0;  ///< how many of `scenes` the new model was trained on
+    std::size_t oldTrained = 0;
 };
 
 /// Callbacks of a comparison; each may be empty.

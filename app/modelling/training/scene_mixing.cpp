@@ -7,6 +7,9 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
+
+#include "core/learn/data/scene_copies.h"
 
 namespace terratact {
 namespace {
@@ -24,13 +27,57 @@ std::optional<double> mixError(const std::vector<SceneType>& real, const HeldOut
     for (std::size_t fold = 0; fold < folds.count; ++fold) {
         std::vector<SceneType> learnt, judged;
         for (std::size_t i = 0; i < real.size(); ++i)
-            (folds.of[i] == fold ? judged : learnt).push_back(real[i]);
+            if (folds.of[i] < folds.count)
+                (folds.of[i] == fold ? judged : learnt).push_back(real[i]);
         const std::vector<double> errors = judge(mixedScenes(learnt, generated, weight), judged);
         if (errors.empty()) return std::nullopt;
         sum = std::accumulate(errors.begin(), errors.end(), sum);
         bins += errors.size();
     }
     return sum / static_cast<double>(bins);
+}
+
+template <class SceneType>
+std::vector<SceneRepeat> repeatsOf(const std::vector<SceneType>& scenes)
+{
+    SceneRepeats<SceneType> known;
+    std::vector<SceneRepeat> repeats;
+    for (const SceneType& scene : scenes)
+        repeats.push_back(known.add(scene, static_cast<int>(repeats.size())));
+    return repeats;
+}
+
+/// Numbers of different labels, in the order in which they come first.
+template <class Label>
+std::map<Label, std::size_t> numbersOfLabels(const std::vector<Label>& labels)
+{
+    std::map<Label, std::size_t> numbers;
+    for (const Label& label : labels) numbers.try_emplace(label, numbers.size());
+    return numbers;
+}
+
+/// Returns the folds of scenes of different places. files, runs: of each scene.
+HeldOutFolds foldsOfPlaces(const std::vector<std::size_t>& files,
+                           const std::vector<std::string>& runs)
+{
+    const auto fileNumbers = numbersOfLabels(files);
+    const auto runNumbers = numbersOfLabels(runs);
+    const std::size_t places = files.size(), runCount = runNumbers.size();
+    HeldOutFolds folds{.of = std::vector<std::size_t>(places)};
+    if (fileNumbers.size() > 1) {
+        folds.count = fileNumbers.size();
+        for (std::size_t i = 0; i < places; ++i) folds.of[i] = fileNumbers.at(files[i]);
+        folds.by = fmt::format("{} files", folds.count);
+        return folds;
+    }
+    folds.count = std::min(kMostFolds, runCount > 1 ? runCount : places);
+    for (std::size_t i = 0; i < places; ++i)
+        folds.of[i] =
+            runCount > 1 ? runNumbers.at(runs[i]) % folds.count : i * folds.count / places;
+    folds.by = runCount == 1           ? fmt::format("{} parts of one run", folds.count)
+             : runCount == folds.count ? fmt::format("{} runs", folds.count)
+                                       : fmt::format("{} groups of {} runs", folds.count, runCount);
+    return folds;
 }
 
 }  // namespace
@@ -51,25 +98,23 @@ template <class SceneType>
 HeldOutFolds heldOutFolds(const std::vector<SceneType>& real,
                           const std::vector<std::size_t>& filesBegin)
 {
-    HeldOutFolds folds{.of = std::vector<std::size_t>(real.size())};
-    if (filesBegin.size() > 1) {
-        folds.count = filesBegin.size();
-        for (std::size_t i = 0; i < real.size(); ++i)
-            folds.of[i] = static_cast<std::size_t>(std::ranges::upper_bound(filesBegin, i)
-                                                   - filesBegin.begin() - 1);
-        folds.by = fmt::format("{} files", folds.count);
-        return folds;
+    const std::vector<SceneRepeat> repeats = repeatsOf(real);
+    std::vector<std::size_t> firsts, files;  // first scenes of all places
+    std::vector<std::string> runs;
+    for (std::size_t i = 0; i < real.size(); ++i) {
+        if (repeats[i].isExact || repeats[i].first != static_cast<int>(i)) continue;
+        firsts.push_back(i);
+        files.push_back(
+            static_cast<std::size_t>(std::ranges::upper_bound(filesBegin, i) - filesBegin.begin()));
+        runs.push_back(real[i].run);
     }
-    std::map<std::string, std::size_t> runs;  // in the order of the scenes
-    for (const SceneType& scene : real) runs.try_emplace(scene.run, runs.size());
-    folds.count = std::min(kMostFolds, runs.size() > 1 ? runs.size() : real.size());
+    HeldOutFolds folds = foldsOfPlaces(files, runs);
+    std::vector<std::size_t> ofAll(real.size(), folds.count);
+    for (std::size_t place = 0; place < firsts.size(); ++place)
+        ofAll[firsts[place]] = folds.of[place];
     for (std::size_t i = 0; i < real.size(); ++i)
-        folds.of[i] =
-            runs.size() > 1 ? runs.at(real[i].run) % folds.count : i * folds.count / real.size();
-    folds.by = runs.size() == 1 ? fmt::format("{} parts of one run", folds.count)
-             : runs.size() == folds.count
-                 ? fmt::format("{} runs", folds.count)
-                 : fmt::format("{} groups of {} runs", folds.count, runs.size());
+        if (!repeats[i].isExact) ofAll[i] = ofAll[static_cast<std::size_t>(repeats[i].first)];
+    folds.of = std::move(ofAll);
     return folds;
 }
 

@@ -27,14 +27,17 @@ std::vector<SceneType> mixedScenes(const std::vector<SceneType>& real,
 
 /// Groups of real scenes that are held out in turn, so that no place is learnt and judged at once.
 struct HeldOutFolds {
-    std::vector<std::size_t> of;  ///< fold of each scene
+    /// Fold of each scene; `count` for an exact copy, which is neither learnt nor judged.
+    std::vector<std::size_t> of;
     std::size_t count = 0;
     std::string
         by{};  ///< "2 files", "4 groups of 9 runs" or "4 parts of one run", for the model card
 };
 
 /// Returns the folds: one for each file if there are several, else runs in at most four groups. Several parts of one
-/// run, in the order of its scenes, where there is one run only. filesBegin: first scene of each file.
+/// run, in the order of its scenes, where there is one run only. Only files and runs with a place of their own count: a
+/// near copy is in the fold of the first scene of its place (core/learn/data/scene_copies.h). filesBegin: first scene
+/// of each file.
 template <class SceneType>
 HeldOutFolds heldOutFolds(const std::vector<SceneType>& real,
                           const std::vector<std::size_t>& filesBegin);

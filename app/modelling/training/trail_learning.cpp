@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/modelling/training/drive_copies.h"
 #include "app/runtime/parallel.h"
+#include "core/learn/data/drive_copies.h"
 #include "core/learn/data/drive_file.h"
+#include "core/learn/data/scene_copies.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
@@ -41,6 +42,9 @@ public:
     }
     int drives() const { return drives_; }
     int copies() const { return copies_; }
+    /// Returns the number of scenes that repeat a place of an earlier drive.
+    int repeats() const { return repeats_; }
+    const std::vector<DriveMarks>& marks() const { return known_.drives(); }
 
 private:
     void add(DriveLines&& drive)
@@ -51,8 +55,20 @@ private:
             ++copies_;
             return;
         }
+        if (sides_)
+            countRepeats(trackScenesOf(drive), trackPlaces_);
+        else
+            countRepeats(planeScenesOf(drive), planePlaces_);
         waiting_.push_back(std::move(drive));
         if (waiting_.size() == kDrivesAtOnce) flush();
+    }
+
+    template <class SceneType>
+    void countRepeats(const std::vector<SceneType>& scenes, SceneRepeats<SceneType>& places)
+    {
+        const int begin = scenes_;
+        for (const SceneType& scene : scenes)
+            if (places.add(scene, scenes_++).first < begin) ++repeats_;
     }
 
     void flush()
@@ -73,7 +89,10 @@ private:
     std::vector<DriveLines> waiting_;
     std::vector<TrailRows> rows_;
     DriveCopies known_;
+    SceneRepeats<Scene> planePlaces_;
+    SceneRepeats<TwoTrackScene> trackPlaces_;
     int drives_ = 0, copies_ = 0;
+    int scenes_ = 0, repeats_ = 0;
     bool unfit_ = false;  ///< a drive of the other kind came
 };
 
@@ -91,6 +110,11 @@ Result<TrailNetworks> learnFrom(const std::vector<std::string>& files, bool side
     if (collector.copies() > 0)
         notice(fmt::format("{} drives are there twice: their copies were left out",
                            collector.copies()));
+    if (collector.repeats() > 0)
+        notice(
+            fmt::format("{} scenes repeat a place of an earlier drive within the sensors' noise: "
+                        "the networks' errors may be too small",
+                        collector.repeats()));
     const std::string name = files.size() == 1
                                ? files.front()
                                : fmt::format("{} and {} more", files.front(), files.size() - 1);
@@ -102,7 +126,9 @@ Result<TrailNetworks> learnFrom(const std::vector<std::string>& files, bool side
     TrailOptions options = plan.options;
     options.network.seed = plan.seed;
     try {
-        return trainTrail(rows, sides, options, sideBySide);
+        TrailNetworks networks = trainTrail(rows, sides, options, sideBySide);
+        networks.drives = collector.marks();
+        return networks;
     } catch (const std::invalid_argument& refused) {
         return fileError(files.front(), refused.what());
     }

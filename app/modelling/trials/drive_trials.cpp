@@ -11,7 +11,9 @@
 #include "app/runtime/parallel.h"
 #include "app/runtime/stopwatch.h"
 #include "core/infer/two_track_estimator.h"
+#include "core/learn/data/drive_copies.h"
 #include "core/learn/data/drive_file.h"
+#include "core/learn/data/scene_copies.h"
 #include "core/trail/trail_record.h"
 
 namespace terratact {
@@ -163,10 +165,46 @@ void appendAll(std::vector<T>& to, const std::vector<T>& more)
     to.insert(to.end(), more.begin(), more.end());
 }
 
+/// Counts drives and scenes that networks and model were trained on.
+class TrainingCounter {
+public:
+    explicit TrainingCounter(const EstimatorBundle& bundle) : model_(bundle.model.data)
+    {
+        if (!bundle.models.trail) return;
+        const TrailData& data = bundle.models.trail->data();
+        for (const TrailNetworks* networks : {&data.plane, &data.side})
+            for (const DriveMarks& marks : networks->drives) networks_.add(marks);
+    }
+
+    void add(const std::vector<DriveLines>& drives)
+    {
+        std::vector<Scene> planes;
+        std::vector<TwoTrackScene> tracks;
+        for (const DriveLines& drive : drives) {
+            if (networks_.contains(driveMarks(drive))) ++drives_;
+            if (drive.onePlane || !model_.hasSides())
+                appendAll(planes, planeScenesOf(drive));
+            else
+                appendAll(tracks, trackScenesOf(drive));
+        }
+        scenes_ +=
+            trainingScenes(planes, model_.features) + trainingScenes(tracks, model_.sides.features);
+    }
+
+    std::size_t drives() const { return drives_; }
+    std::size_t scenes() const { return scenes_; }
+
+private:
+    const ModelData& model_;
+    DriveCopies networks_;
+    std::size_t drives_ = 0, scenes_ = 0;
+};
+
 /// Judges drives as they are read, some at a time.
 class DriveJudges {
 public:
-    DriveJudges(const DriveJudge& judge, std::size_t methods) : judge_(judge)
+    DriveJudges(const DriveJudge& judge, const EstimatorBundle& bundle, std::size_t methods)
+        : judge_(judge), training_(bundle)
     {
         all_.sides.resize(methods);
         all_.cpu.resize(methods);
@@ -195,14 +233,17 @@ public:
             all_.failed += drive.failed;
             ++drives_;
         }
+        training_.add(waiting_);
         waiting_.clear();
     }
 
     const JudgedScenes& all() const { return all_; }
     std::size_t drives() const { return drives_; }
+    const TrainingCounter& training() const { return training_; }
 
 private:
     const DriveJudge& judge_;
+    TrainingCounter training_;
     std::vector<DriveLines> waiting_;
     JudgedScenes all_;
     std::size_t drives_ = 0;
@@ -241,7 +282,7 @@ Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBun
                                      const std::function<void(const Message&)>& notice)
 {
     const DriveJudge judge(bundle, methods, settings);
-    DriveJudges judges(judge, methods.size());
+    DriveJudges judges(judge, bundle, methods.size());
     const auto read = readDrives(path, [&](DriveLines&& drive) { judges.add(std::move(drive)); });
     if (!read) return read.error();
     for (const Message& sentence : *read) notice(sentence);
@@ -251,6 +292,8 @@ Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBun
                            .scenes = all.whole,
                            .early = all.early,
                            .failed = all.failed,
+                           .trainingDrives = judges.training().drives(),
+                           .trainingScenes = judges.training().scenes(),
                            .whole = {},
                            .begin = {}};
     for (std::size_t m = 0; m < methods.size(); ++m) {

@@ -27,9 +27,11 @@ struct DriveScores {
 
 struct DriveFindings {
     std::size_t drives = 0;
-    std::size_t scenes = 0;                 ///< with whole memory
-    std::size_t early = 0;                  ///< scenes after less than kWholeMemory of way
-    std::size_t failed = 0;                 ///< estimates that a method could not make
+    std::size_t scenes = 0;          ///< with whole memory
+    std::size_t early = 0;           ///< scenes after less than kWholeMemory of way
+    std::size_t failed = 0;          ///< estimates that a method could not make
+    std::size_t trainingDrives = 0;  ///< of the networks, as far as their file has marks of drives
+    std::size_t trainingScenes = 0;  ///< of the model
     std::vector<DriveScores> whole, begin;  ///< by method, of both kinds of scenes
 };
 

@@ -1,5 +1,7 @@
 #include "app/modelling/truth/truth_scenes.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/modelling/scene_kind.h"
@@ -20,21 +22,10 @@ Status addDrives(const std::string& path, TruthScenes& into)
     into.drives = std::move(file->drives);
     for (const DriveLines& drive : into.drives) {
         into.isPlane = drive.onePlane;
-        for (const DriveLine& line : drive.lines) {
-            if (!line.isScene) continue;
-            if (drive.onePlane)
-                into.plane.push_back({.run = drive.run,
-                                      .time = line.line.time,
-                                      .s = proprioception(line.line),
-                                      .truth = line.truth[0],
-                                      .truthSd = line.truthSd[0]});
-            else
-                into.tracks.push_back({.run = drive.run,
-                                       .time = line.line.time,
-                                       .s = twoTrackReadings(line.line),
-                                       .truth = line.truth,
-                                       .truthSd = line.truthSd});
-        }
+        if (drive.onePlane)
+            std::ranges::move(planeScenesOf(drive), std::back_inserter(into.plane));
+        else
+            std::ranges::move(trackScenesOf(drive), std::back_inserter(into.tracks));
     }
     return Done{};
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/learn/data/scene.h"
+#include "core/learn/data/two_track_scene.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 
@@ -26,5 +28,9 @@ struct DriveLines {
     std::vector<DriveLine> lines;
     bool operator==(const DriveLines&) const = default;
 };
+
+/// Return the scenes of a drive in one plane, left and right averaged, or on two tracks.
+std::vector<Scene> planeScenesOf(const DriveLines& drive);
+std::vector<TwoTrackScene> trackScenesOf(const DriveLines& drive);
 
 }  // namespace terratact

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/learn/data/columns.h"
 #include "core/learn/data/side_features.h"
@@ -160,17 +161,46 @@ public:
         return first_.first(key, kCopySd * std::numbers::sqrt2 * kAngleSd,
                             [&key](const Key& other) { return repeats(other, key); });
     }
+    void add(const Key& key, int number) { first_.add(key, number); }
     /// Returns the number of the scene's place: its own number if it is the first scene there.
     int placeOf(const Key& key, int number)
     {
         if (const auto place = known(key)) return *place;
-        first_.add(key, number);
+        add(key, number);
         return number;
     }
 
 private:
     ByAngle<Key> first_;
 };
+
+/// Returns the keys of a scene and of its mirror image.
+std::array<PlaneKey, 1> keysOf(const Scene& scene)
+{
+    return {keyOf(scene)};
+}
+std::array<TracksKey, 2> keysOf(const TwoTrackScene& scene)
+{
+    return {keyOf(scene), keyOf(mirrored(scene))};
+}
+
+bool hasFeatures(const Scene& scene)
+{
+    return missingFeatures(scene.s).none();
+}
+bool hasFeatures(const TwoTrackScene& scene)
+{
+    return absentFeatures(scene.s, Side::Left).none();
+}
+
+bool knowsAnyHeight(const Scene& scene)
+{
+    return knowsHeights(scene.truth);
+}
+bool knowsAnyHeight(const TwoTrackScene& scene)
+{
+    return knowsHeights(scene.truth[0]) || knowsHeights(scene.truth[1]);
+}
 
 }  // namespace
 
@@ -179,20 +209,50 @@ bool isNearCopy(const Scene& a, const Scene& b)
     return repeats(keyOf(a), keyOf(b));
 }
 
+template <class SceneType>
+struct SceneRepeats<SceneType>::Known {
+    using Key = decltype(keyOf(std::declval<SceneType>()));
+    ByAngle<Key> all;
+    Places<Key> places;
+};
+
+template <class SceneType>
+SceneRepeats<SceneType>::SceneRepeats() : known_(std::make_unique<Known>())
+{
+}
+
+template <class SceneType>
+SceneRepeats<SceneType>::~SceneRepeats() = default;
+
+template <class SceneType>
+SceneRepeat SceneRepeats<SceneType>::add(const SceneType& scene, int number)
+{
+    SceneRepeat repeat{number, false};
+    if (!hasFeatures(scene) || !knowsAnyHeight(scene)) return repeat;
+    const auto keys = keysOf(scene);
+    for (const auto& key : keys) {
+        repeat.isExact = repeat.isExact || known_->all.hasExactCopyOf(key);
+        repeat.first = std::min(repeat.first, known_->places.known(key).value_or(number));
+    }
+    if (repeat.isExact) return repeat;
+    known_->all.add(keys.front(), number);
+    if (repeat.first == number) known_->places.add(keys.front(), number);
+    return repeat;
+}
+
+template class SceneRepeats<Scene>;
+template class SceneRepeats<TwoTrackScene>;
+
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
 {
     SceneCopies copies;
-    ByAngle<PlaneKey> all;
-    Places<PlaneKey> places;
+    SceneRepeats<Scene> known;
     int number = 0;
     for (const Scene* const scene : scenes) {
-        const PlaneKey key = keyOf(*scene);
-        if (all.hasExactCopyOf(key)) {
+        const SceneRepeat repeat = known.add(*scene, number);
+        if (repeat.isExact) {
             ++copies.exact;
-            continue;
-        }
-        all.add(key, number);
-        if (places.placeOf(key, number) == number) {
+        } else if (repeat.first == number) {
             copies.kept.push_back(scene);
         } else {
             copies.repeats.push_back(scene);
@@ -206,17 +266,13 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
 TrackCopies withoutCopies(const std::vector<const TwoTrackScene*>& scenes)
 {
     TrackCopies copies;
-    ByAngle<TracksKey> all;
-    Places<TracksKey> places;
+    SceneRepeats<TwoTrackScene> known;
     int number = 0;
     for (const TwoTrackScene* const scene : scenes) {
-        const TracksKey key = keyOf(*scene), mirrorImage = keyOf(mirrored(*scene));
-        if (all.hasExactCopyOf(key) || all.hasExactCopyOf(mirrorImage)) {
+        const SceneRepeat repeat = known.add(*scene, number);
+        if (repeat.isExact) {
             ++copies.exact;
-            continue;
-        }
-        all.add(key, number);
-        if (!places.known(mirrorImage) && places.placeOf(key, number) == number) {
+        } else if (repeat.first == number) {
             copies.kept.push_back(scene);
         } else {
             ++copies.near;
@@ -280,7 +336,7 @@ std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::Matrix
 {
     const auto rows = rowsOf<PlaneKey>(features);
     return static_cast<std::size_t>(std::ranges::count_if(scenes, [&rows](const Scene& scene) {
-        return missingFeatures(scene.s).none() && isRow(rows, keyOf(scene));
+        return hasFeatures(scene) && isRow(rows, keyOf(scene));
     }));
 }
 
@@ -290,7 +346,7 @@ std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
     const auto rows = rowsOf<TracksKey>(features);
     return static_cast<std::size_t>(
         std::ranges::count_if(scenes, [&rows](const TwoTrackScene& scene) {
-            return absentFeatures(scene.s, Side::Left).none() && isRow(rows, keyOf(scene));
+            return hasFeatures(scene) && isRow(rows, keyOf(scene));
         }));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,6 +39,33 @@ struct TrackCopies {
 /// Removes copies, exact and near ones (isNearCopy, with the heights of both sides). scenes: with
 /// all features, and at least one known height each.
 TrackCopies withoutCopies(const std::vector<const TwoTrackScene*>& scenes);
+
+/// What a scene repeats.
+struct SceneRepeat {
+    int first = 0;         ///< number of the first scene of its place; its own: it repeats none
+    bool isExact = false;  ///< equal to an earlier scene, as SceneCopies::exact
+    bool operator==(const SceneRepeat&) const = default;
+};
+
+/// Finds what scenes repeat that come one after another: exact copies and near ones (isNearCopy). On two
+/// tracks a mirror image is a copy, too. SceneType: Scene or TwoTrackScene.
+template <class SceneType>
+class SceneRepeats {
+public:
+    SceneRepeats();
+    ~SceneRepeats();
+    SceneRepeats(const SceneRepeats&) = delete;
+    SceneRepeats& operator=(const SceneRepeats&) = delete;
+
+    /// Compares a scene with the first ones of all places, and remembers it. Of several places the
+    /// first one counts. A scene that lacks a feature or every height repeats none. number: of the
+    /// scene, larger than those before.
+    SceneRepeat add(const SceneType& scene, int number);
+
+private:
+    struct Known;
+    std::unique_ptr<Known> known_;
+};
 
 /// Returns the place of each row: the number of the first row that it repeats (isNearCopy), or its
 /// own. Rows are compared with first rows of places only. features: U × 11, heights: U × 11,

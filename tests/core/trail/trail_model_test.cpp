@@ -18,6 +18,7 @@
 
 #include "core/infer/estimate/hazards.h"
 #include "core/infer/two_track_estimator.h"
+#include "core/learn/data/drive_copies.h"
 #include "core/learn/model/file/model_file.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/way_drive.h"
@@ -86,6 +87,8 @@ const TrailData& smallTrail()
         TrailData trail;
         trail.plane = trainTrail(trailRows(plane, 0, absolem(), false, 1), false, quick());
         trail.side = trainTrail(trailRows(sides, 0, absolem(), true, 1), true, quick());
+        for (const DriveLines& drive : plane) trail.plane.drives.push_back(driveMarks(drive));
+        for (const DriveLines& drive : sides) trail.side.drives.push_back(driveMarks(drive));
         trail.command = "terratact train";
         trail.planeHash = std::string(64, 'a');
         trail.sideHash = std::string(64, 'b');
@@ -105,12 +108,27 @@ TEST(TrailModel, FileKeepsEveryBit)
     const TrailModel before(smallTrail()), after(stored->data);
     const Eigen::VectorXd inputs = Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0);
     EXPECT_EQ(stored->data.side.errors.drive, smallTrail().side.errors.drive);
+    EXPECT_EQ(stored->data.plane.drives, smallTrail().plane.drives);
+    EXPECT_EQ(stored->data.side.drives, smallTrail().side.drives);
     EXPECT_EQ(before.plane(inputs, 0x1FF).mean, after.plane(inputs, 0x1FF).mean);
     EXPECT_EQ(before.plane(inputs, 0x1FF).errors.residual,
               after.plane(inputs, 0x1FF).errors.residual);
     const std::array<Eigen::VectorXd, 2> both{Eigen::VectorXd::LinSpaced(kSideInputs, -1.0, 1.0),
                                               Eigen::VectorXd::LinSpaced(kSideInputs, 1.0, -1.0)};
     EXPECT_EQ(before.sides(both, {0x1FF, 0xFF}).mean, after.sides(both, {0x1FF, 0xFF}).mean);
+}
+
+TEST(TrailModel, FilesWithoutTrainingDrivesAreRead)
+{
+    const auto shipped = readTrail(TERRATACT_SOURCE_DIR "/resources/models/default.ttn");
+    ASSERT_TRUE(shipped) << shipped.error().message.english();
+    EXPECT_TRUE(shipped->data.plane.drives.empty() && shipped->data.side.drives.empty());
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("again.ttn");
+    ASSERT_TRUE(writeTrail(path, shipped->data));
+    const auto again = readTrail(path);
+    ASSERT_TRUE(again) << again.error().message.english();
+    EXPECT_EQ(again->contentHash, shipped->contentHash);
 }
 
 /// Returns eleven drives, and each of them twice more with heights that are 0.3 m too high, with this sd.
@@ -222,14 +240,26 @@ TEST(TrailModel, HostileRowsAreRefused)
 {
     const TemporaryDirectory folder;
     const std::string path = folder.file("small.ttn");
-    for (const char* change :
-         {"UPDATE layer SET network = -1", "DELETE FROM layer WHERE layer = 0",
-          "UPDATE layer SET outputs = 1000000, inputs = 1000000", "UPDATE scale SET sd = -1.0",
-          "UPDATE input SET kind = 'other' WHERE kind = 'plane'", "DELETE FROM layer",
-          "UPDATE error SET covered_left = -5", "UPDATE error SET residual = x'00'",
-          "DELETE FROM layer WHERE kind = 'side'", "DELETE FROM layer WHERE network = 2",
-          "UPDATE layer SET outputs = 1 WHERE network = 2",
-          "UPDATE meta SET value = 'x' WHERE key = 'seed'"}) {
+    for (const char* change : {"UPDATE layer SET network = -1",
+                               "DELETE FROM layer WHERE layer = 0",
+                               "UPDATE layer SET outputs = 1000000, inputs = 1000000",
+                               "UPDATE scale SET sd = -1.0",
+                               "UPDATE input SET kind = 'other' WHERE kind = 'plane'",
+                               "DELETE FROM layer",
+                               "UPDATE error SET covered_left = -5",
+                               "UPDATE error SET residual = x'00'",
+                               "DELETE FROM layer WHERE kind = 'side'",
+                               "DELETE FROM layer WHERE network = 2",
+                               "UPDATE layer SET outputs = 1 WHERE network = 2",
+                               "DELETE FROM drive WHERE drive = 0",
+                               "UPDATE drive SET scenes = x''",
+                               "UPDATE drive SET scenes = x'00'",
+                               "UPDATE drive SET scenes = x'0000000000000000'",
+                               "UPDATE drive SET kind = 'other'",
+                               "UPDATE drive SET drive = drive + 1",
+                               "DROP TABLE drive",
+                               "PRAGMA user_version = 3",
+                               "UPDATE meta SET value = 'x' WHERE key = 'seed'"}) {
         ASSERT_TRUE(writeTrail(path, smallTrail()));
         {
             sqlite3* file = nullptr;

@@ -44,9 +44,14 @@ TEST(ComparisonTexts, cautionAgainstChanceAndSeenScenes)
 {
     ModelComparison c = compared(0.020, 0.018);
     EXPECT_EQ(ComparisonWords::caution(c), "");
-    c.newLearntThese = true;
-    EXPECT_TRUE(ComparisonWords::caution(c).contains("was trained on this file"));
-    c.newLearntThese = false;
+    c.newTrained = 40;
+    c.oldTrained = 300;
+    EXPECT_EQ(
+        ComparisonWords::caution(c),
+        "The new model was trained on 40 of these 300 scenes, so its error looks too small. "
+        "Choose scenes it has not seen. The old model was trained on 300 of these 300 scenes, "
+        "so its error looks too small.");
+    c.newTrained = c.oldTrained = 0;
     c.nearDifference->low = -0.004;
     EXPECT_TRUE(ComparisonWords::caution(c).contains(QString::fromUtf8("\u22124.0 … +3.0 mm")))
         << ComparisonWords::caution(c).toStdString();

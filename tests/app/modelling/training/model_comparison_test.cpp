@@ -81,7 +81,7 @@ TEST_F(Comparing, aModelWithItselfIsEqual)
     EXPECT_GT(comparison->after.near.mean, 0.0);
     ASSERT_TRUE(comparison->nearDifference);
     EXPECT_EQ(*comparison->nearDifference, (Interval{0.0, 0.0}));
-    EXPECT_FALSE(comparison->newLearntThese);
+    EXPECT_EQ(comparison->newTrained, 0U);
     EXPECT_EQ(last, 1.0);
     EXPECT_TRUE(
         ComparisonWords::sentence(*comparison).contains("the same mean error as the old one"));
@@ -134,10 +134,11 @@ TEST_F(Comparing, namesWhatCannotBeCompared)
     EXPECT_TRUE(refused(compareModels(plan), plan.newModel, {}));
 }
 
-TEST_F(Comparing, detectsTheTrainingFileOfAModel)
+TEST_F(Comparing, detectsTheTrainingScenesOfAModel)
 {
     const std::string data = files->file("learnt.csv");
-    ASSERT_TRUE(writeScenes(data, someScenes(4, 1)));
+    const std::vector<Scene> learnt = someScenes(4, 9);
+    ASSERT_TRUE(writeScenes(data, learnt));
     TrainingPlan training;
     training.robot = absolem();
     training.data = data;
@@ -149,9 +150,28 @@ TEST_F(Comparing, detectsTheTrainingFileOfAModel)
     plan.mostScenes = 5;
     const auto comparison = compareModels(plan);
     ASSERT_TRUE(comparison) << comparison.error().text;
-    EXPECT_TRUE(comparison->newLearntThese);
-    EXPECT_FALSE(comparison->oldLearntThese);
-    EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("was trained on this file"));
+    EXPECT_EQ(comparison->newTrained, comparison->scenes);
+    EXPECT_EQ(comparison->oldTrained, 0U);
+    EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("new model was trained on"));
+
+    plan.data = files->file("subset.csv");
+    plan.mostScenes = 20;
+    std::vector<Scene> subset(learnt.begin(), learnt.begin() + 8);
+    for (Scene& scene : subset) scene.run = "saved again";
+    const std::vector<Scene> unseen = someScenes(2, 7);
+    subset.insert(subset.end(), unseen.begin(), unseen.begin() + 8);
+    ASSERT_TRUE(writeScenes(plan.data, subset));
+    const auto ofSubset = compareModels(plan);
+    ASSERT_TRUE(ofSubset) << ofSubset.error().text;
+    EXPECT_GT(ofSubset->newTrained, 0U);
+    EXPECT_LT(ofSubset->newTrained, ofSubset->scenes);
+    EXPECT_LE(ofSubset->newTrained, 8U);
+    std::swap(plan.oldModel, plan.newModel);
+    const auto swapped = compareModels(plan);
+    ASSERT_TRUE(swapped);
+    EXPECT_EQ(swapped->oldTrained, ofSubset->newTrained);
+    EXPECT_EQ(swapped->newTrained, 0U);
+    EXPECT_TRUE(ComparisonWords::caution(*swapped).contains("old model was trained on"));
 }
 
 }  // namespace

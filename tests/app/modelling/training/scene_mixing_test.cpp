@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/modelling/training/model_training.h"
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/learn/model/file/model_file.h"
@@ -52,6 +53,85 @@ TEST(SceneMix, filesAreHeldOutThenRunsThenParts)
     const auto parts = heldOutFolds(scenesOf(std::vector<std::string>(8, "a")), {0});
     EXPECT_EQ(parts.of, (std::vector<std::size_t>{0, 0, 1, 1, 2, 2, 3, 3}));
     EXPECT_EQ(parts.by, "4 parts of one run");
+}
+
+/// The same pose on the same ground, measured again.
+Scene measuredAgain(Scene scene)
+{
+    scene.run += " again";
+    for (auto& height : scene.truth)
+        if (height) *height += 0.002;
+    return scene;
+}
+
+/// Returns scenes of different places.
+std::vector<Scene> scenesOfPlaces()
+{
+    std::vector<Scene> places;
+    for (const Scene& scene : someScenes(6, 1))
+        if (std::ranges::none_of(places, [&scene](const Scene& place) {
+                return isNearCopy(place, scene) || isNearCopy(place, measuredAgain(scene));
+            }))
+            places.push_back(scene);
+    return places;
+}
+
+TEST(SceneMix, exactCopiesAreNeitherLearntNorJudged)
+{
+    const std::vector<Scene> once = scenesOfPlaces();
+    const HeldOutFolds folds = heldOutFolds(once, {0});
+    std::vector<Scene> twice = once;
+    for (Scene scene : once) {
+        scene.run += " under another name";
+        twice.push_back(scene);
+    }
+    for (const auto& begins : {std::vector<std::size_t>{0}, {0, once.size()}}) {
+        const HeldOutFolds same = heldOutFolds(twice, begins);
+        EXPECT_EQ(same.by, folds.by);
+        ASSERT_EQ(same.count, folds.count);
+        for (std::size_t i = 0; i < once.size(); ++i) {
+            EXPECT_EQ(same.of[i], folds.of[i]) << i;
+            EXPECT_EQ(same.of[once.size() + i], same.count) << i;
+        }
+        const auto mix =
+            chooseMix(twice, same, {}, [&once](const auto& learnt, const auto& judged) {
+                EXPECT_EQ(learnt.size() + judged.size(), once.size());
+                return std::vector<double>{0.01};
+            });
+        EXPECT_TRUE(mix);
+    }
+}
+
+TEST(SceneMix, nearCopiesAreHeldOutWithTheirPlace)
+{
+    const std::vector<Scene> once = scenesOfPlaces();
+    const HeldOutFolds folds = heldOutFolds(once, {0});
+    std::vector<Scene> both = once;
+    for (const Scene& scene : once) both.push_back(measuredAgain(scene));
+    for (const auto& begins : {std::vector<std::size_t>{0}, {0, once.size()}}) {
+        const HeldOutFolds same = heldOutFolds(both, begins);
+        EXPECT_EQ(same.by, folds.by);
+        for (std::size_t i = 0; i < both.size(); ++i)
+            EXPECT_EQ(same.of[i], folds.of[i % once.size()]) << i;
+    }
+    const std::vector<Scene> mixed{once[0], once[1], measuredAgain(once[0]), once[2]};
+    const HeldOutFolds files = heldOutFolds(mixed, {0, 2});
+    EXPECT_EQ(files.of, (std::vector<std::size_t>{0, 0, 0, 1})) << "a place of its own is left";
+    EXPECT_EQ(files.by, "2 files");
+}
+
+TEST(SceneMix, mirrorImagesAreCopies)
+{
+    const std::vector<TwoTrackScene> once = someTrackScenes(4, 1);
+    const HeldOutFolds folds = heldOutFolds(once, {0});
+    std::vector<TwoTrackScene> twice = once;
+    for (const TwoTrackScene& scene : once) twice.push_back(mirrored(scene));
+    const HeldOutFolds same = heldOutFolds(twice, {0, once.size()});
+    EXPECT_EQ(same.by, folds.by);
+    for (std::size_t i = 0; i < once.size(); ++i) {
+        EXPECT_EQ(same.of[i], folds.of[i]) << i;
+        EXPECT_EQ(same.of[once.size() + i], same.count) << i;
+    }
 }
 
 TEST(SceneMix, theSmallestErrorOnHeldOutScenesWins)
@@ -121,6 +201,21 @@ TEST_F(MixTraining, wrongGeneratedScenesAreLeftOut)
     EXPECT_EQ(mix->trials.size(), 4U);
     EXPECT_EQ(mix->heldOut, "2 files");
     EXPECT_EQ(model->sides.heights, prepareSides(real).rows.heights);
+}
+
+TEST_F(MixTraining, aRepeatedFileChangesNoError)
+{
+    plan.generated = {written("generated.csv", someTrackScenes(6, 2))};
+    std::vector<CardMix> mixes;
+    TrainingWatch watch;
+    watch.mix = [&](const CardMix& chosen) { mixes.push_back(chosen); };
+    const auto once = trainModel(plan, watch);
+    plan.moreTracks = {plan.tracks};
+    const auto twice = trainModel(plan, watch);
+    ASSERT_TRUE(once && twice);
+    ASSERT_EQ(mixes.size(), 2U);
+    EXPECT_EQ(mixes[1], mixes[0]);
+    EXPECT_EQ(twice->sides.heights, once->sides.heights);
 }
 
 TEST_F(MixTraining, tooFewRealScenesAreRefused)

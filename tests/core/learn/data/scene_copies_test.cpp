@@ -97,6 +97,28 @@ TEST(SceneCopies, aPosePressedTwiceCountsAsOnePlace)
     }
 }
 
+TEST(SceneCopies, aSceneRepeatsTheFirstOneOfItsPlace)
+{
+    std::mt19937_64 rng(1);
+    const Scene first = scenesOf(20)[3], second = again(first, rng);
+    ASSERT_TRUE(isNearCopy(first, second));
+    SceneRepeats<Scene> known;
+    EXPECT_EQ(known.add(first, 5), (SceneRepeat{5, false}));
+    EXPECT_EQ(known.add(second, 6), (SceneRepeat{5, false}));
+    EXPECT_EQ(known.add(first, 7), (SceneRepeat{5, true}));
+    Scene lacking = first;
+    lacking.s.frontCurrent.reset();
+    EXPECT_EQ(known.add(lacking, 8), (SceneRepeat{8, false}));
+    lacking = first;
+    lacking.truth.fill({});
+    EXPECT_EQ(known.add(lacking, 9), (SceneRepeat{9, false}));
+    SceneRepeats<TwoTrackScene> tracks;
+    TwoTrackScene rolled = onBothSides(first);
+    rolled.s.roll = 0.2;
+    EXPECT_EQ(tracks.add(rolled, 0), (SceneRepeat{0, false}));
+    EXPECT_EQ(tracks.add(mirrored(rolled), 1), (SceneRepeat{0, true}));
+}
+
 TEST(SceneCopies, holesAreComparedByTheirKnownBins)
 {
     std::mt19937_64 rng(1);

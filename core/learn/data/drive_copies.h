@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/learn/data/drive_lines.h"
+
+namespace terratact {
+
+/// Marks of the scenes of a drive, ascending, each once. The mark of a scene is the first 32 bits of the
+/// SHA-256 of its pitch, flipper angles [rad] and way [m], rounded to kMarkStep. Run, time and way lines
+/// do not count, nor do digits that a number format of three decimals drops.
+using DriveMarks = std::vector<std::uint32_t>;
+inline constexpr double kMarkStep = 0.001;
+inline constexpr std::size_t kMaxDriveMarks = 100'000;  ///< of one drive; later scenes have none
+
+DriveMarks driveMarks(const DriveLines& drive);
+
+/// Recognises drives that came before under another name, in another number format, or with other lines. A
+/// copy in training would make the errors of the drives that are kept for them too small.
+class DriveCopies {
+public:
+    /// Returns true if an earlier drive has at least half of the marks of the shorter one of both. Otherwise
+    /// remembers the drive. A drive without scenes is no copy, and nothing to remember.
+    bool isCopy(const DriveLines& drive);
+
+    /// Returns the same for marks, and remembers nothing.
+    bool contains(const DriveMarks& marks) const;
+    /// Remembers a drive by its marks.
+    void add(DriveMarks marks);
+
+    /// Returns the marks of the drives that it remembers, in order.
+    const std::vector<DriveMarks>& drives() const { return drives_; }
+
+private:
+    std::vector<DriveMarks> drives_;
+    std::unordered_multimap<std::uint32_t, std::size_t> drivesOf_;  ///< of a mark
+};
+
+}  // namespace terratact
