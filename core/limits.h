@@ -29,6 +29,11 @@ constexpr bool isApprovalValid(double age, double expiry)
 /// a longer one.
 inline constexpr double kMaxSilence = 1.0;
 
+/// Odometry that is faster [m/s] is no motion of the tracks. The gate lets a robot drive at 0.6 m/s
+/// (GateLimits::speed); the rest allows for slip and for late lines. The sensor watch and the memory of
+/// the way both ask this.
+inline constexpr double kFastestTracks = 1.5;
+
 /// Range of the operator's step limit [m]. Its default is kStepLimit (core/terrain/step.h).
 inline constexpr double kLowestStepLimit = 0.02, kHighestStepLimit = 0.60;
 

@@ -61,7 +61,9 @@ method `trail` estimates a scene from its readings and from that memory. `core/t
   The errors of similar scenes are scaled by it. So bands narrow where many presses are remembered, and widen where little is.
 
 Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`. A warning says
-so. `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
+so. What the arm measured earlier then still counts. Ground felt earlier does not, because the networks alone know its height. Where the
+robot presses again in place, the arm's readings count as those of the new scene. `terratact train --drives` trains networks;
+`resources/models/make_trail.sh` made the shipped ones.
 
 The console uses `trail` by default where the way before a scene is known; otherwise `local` estimates. The line above the picture says how
 much is remembered, such as "memory: 1.20 m · earlier presses: 4". Else it says why nothing is remembered: the way begins there, no

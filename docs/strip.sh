@@ -28,6 +28,8 @@ Telemetry reports how far the tracks rolled and how much the robot turned. The f
 - Where the pitch changes, the robot turns about an unknown point of its tracks between the axles.
 - Where the roll changes, it turns about an unknown point between its tracks.
 
+The last digit of a standing robot's odometry may flicker. A step against the last one counts from more than 2 mm on.
+
 Every finished estimate is entered at the pose of its scene. First, the ground that it shares with the strip corrects the odometry since the
 scene before (`core/strip/strip_match.h`). The errors of successive estimates are one error, so each bin counts as half an independent one.
 Then the newer estimate replaces the older one, with two exceptions. Ground that was felt stays where the newer estimate did not feel it and is
@@ -37,7 +39,8 @@ A new section begins, and nothing is joined over its begin, when one of these ha
 
 - the robot turns by more than 0.1 rad within 0.3 m;
 - no telemetry comes for a second;
-- the reported way jumps by more than 1 m, or there is no odometry;
+- the reported way jumps: between two lines by more than 1.5 m/s and 0.15 m, or by more than 1 m;
+- there is no odometry, or the odometry or the pitch is suspected. Then nothing is entered;
 - the operator clears the ground, or another model is loaded.
 
 The strip keeps the last 150 m of ground, with less than 1 MB.

@@ -101,7 +101,7 @@ void Estimation::poll(const std::optional<Received>& latest, bool telemetryFresh
         if (wasSeen && !scene_) emit telemetryGap();
     }
     tracked_ = latest->count;
-    strip_.add(newest);
+    strip_.add(newest, latest->suspicions);
     memory_.add(newest, latest->suspicions);
     if (aside_) aside_->memory.add(newest, latest->suspicions);
 }
@@ -176,7 +176,7 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     capturedAt_ = isNew ? latest.press->count : latest.count;
     hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;
     suspect(latest.suspicions);
-    readings_.clear();
+    readings_ = memory_.armHere();
     strip_.beginScene(scene_->measurement);
     emit captured(*scene_);
     start();

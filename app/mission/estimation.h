@@ -65,7 +65,8 @@ public:
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
     /// Captures a scene and estimates it. The scene is the first sample of the press, so that every console captures
-    /// the same one. If that did not come after sample `since`, the newest sample is used.
+    /// the same one. If that did not come after sample `since`, the newest sample is used. After another press in
+    /// place, the arm's readings there still count (TrailRecord::armHere()).
     void begin(const Received& latest, std::uint64_t since);
     /// Scores the estimate of the reading's side against the reading in its scene, and estimates again with it. A
     /// reading in the middle of two sides is of neither: it is not scored.

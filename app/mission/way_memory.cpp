@@ -6,27 +6,9 @@ namespace terratact {
 
 void WayMemory::add(const Measurement& line, const std::vector<SensorSuspicion>& suspicions)
 {
-    if (isSuspected(suspicions, Sensor::Travelled) || isSuspected(suspicions, Sensor::Pitch)) {
-        record_.end(SectionStart::OdometryJump);
-        isSuspected_ = true;
-        return;
-    }
+    if (isWaySuspected(suspicions)) return record_.end(SectionStart::Suspected);
     if (!suspicions.empty()) record_.forgetFelt();
-    const SectionStart before = record_.why();
     record_.add(line);
-    if (record_.why() != before) isSuspected_ = false;
-}
-
-void WayMemory::addSilence()
-{
-    record_.addSilence();
-    isSuspected_ = false;
-}
-
-void WayMemory::clear()
-{
-    record_.end(SectionStart::Cleared);
-    isSuspected_ = false;
 }
 
 SceneMemory WayMemory::before(const Measurement& scene) const
@@ -38,18 +20,18 @@ SceneMemory WayMemory::before(const Measurement& scene) const
 
 Message WayMemory::why() const
 {
-    if (isSuspected_)
-        return noMemory(TR_NOOP("terratact::Estimation", "the odometry or the pitch is suspected"));
+    const Message why = describe(record_.why());
     switch (record_.why()) {
     case SectionStart::First:
         return noMemory(TR_NOOP("terratact::Estimation", "the way begins here"));
-    case SectionStart::NoOdometry: return noMemory(describe(SectionStart::NoOdometry));
+    case SectionStart::NoOdometry:
+    case SectionStart::Suspected: return noMemory(why);
     case SectionStart::Turned:
     case SectionStart::TelemetryGap:
     case SectionStart::OdometryJump:
     case SectionStart::Cleared: break;
     }
-    return {TR_NOOP("terratact::Estimation", "memory begins anew: %1"), describe(record_.why())};
+    return {TR_NOOP("terratact::Estimation", "memory begins anew: %1"), why};
 }
 
 Method methodWith(Method wanted, const SceneMemory& memory, const TrailInUse& networks)

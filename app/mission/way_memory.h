@@ -27,14 +27,16 @@ public:
     /// Adds the next line of telemetry. suspicions: of that line.
     void add(const Measurement& line, const std::vector<SensorSuspicion>& suspicions);
     /// Forgets the way because telemetry was silent for too long by the caller's clock.
-    void addSilence();
+    void addSilence() { record_.addSilence(); }
     /// Forgets the way because the operator has cleared the ground.
-    void clear();
+    void clear() { record_.end(SectionStart::Cleared); }
 
     /// Returns what is remembered before a scene.
     SceneMemory before(const Measurement& scene) const;
     /// Keeps the presses of a scene for the scenes after it. The scene counts as a line of telemetry.
     void addScene(const Measurement& scene) { record_.addScene(scene); }
+    /// Returns the arm's readings that belong to the newest scene: those before a press in place, too.
+    std::vector<ArmReading> armHere() const { return record_.armHere(); }
     /// Forgets what was felt, because a sensor is suspected.
     void forgetFelt() { record_.forgetFelt(); }
     /// Keeps a reading of the arm at the last scene for the scenes after it.
@@ -47,7 +49,6 @@ private:
     Message why() const;
 
     TrailRecord record_;
-    bool isSuspected_ = false;  ///< a suspected sensor was the last reason to forget
 };
 
 /// Returns the method that estimates: Trail needs networks and a memory, otherwise Local estimates.

@@ -130,6 +130,7 @@ private:
             report_.remarks.push_back(std::move(doubt));
         const std::vector<TelemetryLine> lines = telemetryLines(*series, mapping_);
         countLeftOut(series->series(Quantity::Pitch), lines.size());
+        remarkOnWay(*series);
         if (lines.empty())
             return fileError(
                 options_.file,
@@ -183,6 +184,15 @@ private:
                 fmt::format("{} of {} values of the pitch are left out, because a flipper angle is "
                             "not known within {} s (max_gap_s)",
                             unknown, measured, mapping_.maxGap));
+    }
+
+    /// Adds a remark about a way without a heading: a frame holds both.
+    void remarkOnWay(const RecordedSeries& series)
+    {
+        if (series.series(Quantity::Travelled).empty() || !series.series(Quantity::Turned).empty())
+            return;
+        report_.remarks.push_back("the way is left out, because the recording's heading is not "
+                                  "mapped: add [turned] to the mapping, or [odometry]");
     }
 
     Status addClockStep(const ClockStep& step, SessionTime time)

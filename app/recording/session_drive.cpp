@@ -91,7 +91,8 @@ Result<SessionDrive> sessionDrive(SessionReader& session, const RobotModel& robo
     if (found.drive.lines.empty())
         return fileError(session.path(),
                          "its telemetry holds no way, which the memory of the method trail needs: "
-                         "import it with [odometry] or [travelled] in the mapping");
+                         "import it with [odometry] in the mapping, or with [travelled] and "
+                         "[turned]");
     addScenes(session, found);
     if (found.scenes == 0)
         return fileError(session.path(), "holds no scene: the robot must stand with its flippers "

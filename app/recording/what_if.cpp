@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
+#include "core/infer/estimate/felt_horizon.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/sim/two_track_check.h"
 #include "core/store/file_read.h"
@@ -40,11 +41,24 @@ struct Alike {
     }
 };
 
+bool areTouchesRecorded(const TerrainEstimate& a, const TerrainEstimate& b)
+{
+    return isTouchRecorded(a) && isTouchRecorded(b);
+}
+
+/// Compares the touch, which the oldest sessions did not record.
+template <class Same>
+bool alikeInTouch(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
+{
+    return !areTouchesRecorded(a, b) || (a.touch == b.touch && same(a.feltTo, b.feltTo));
+}
+
 /// Compares everything except the settings, which describe how the estimate was made.
 template <class Same>
 bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
 {
-    return same(a.mean, b.mean) && same(a.sd, b.sd) && same(a.q10, b.q10) && same(a.q90, b.q90)
+    return alikeInTouch(a, b, same) && a.missing == b.missing && a.contradicts == b.contradicts
+        && same(a.mean, b.mean) && same(a.sd, b.sd) && same(a.q10, b.q10) && same(a.q90, b.q90)
         && same(a.height, b.height) && same(a.ceiling, b.ceiling) && a.origin == b.origin
         && same(a.rhat, b.rhat) && same(a.ess, b.ess) && same(a.draws, b.draws)
         && same(a.novelty, b.novelty) && a.ending == b.ending && a.converged == b.converged
@@ -63,6 +77,17 @@ Match likenessOf(const TwoTrackEstimate& a, const TwoTrackEstimate& b)
 {
     if (alike(a, b, Alike<sameBits>{})) return Match::Identical;
     return alike(a, b, Alike<nearly>{}) ? Match::LastBits : Match::Other;
+}
+
+/// Returns true if both verdicts answer the same. Where the touch is not recorded, a verdict has another meaning.
+bool answerAlike(const Differences& d, const TwoTrackEstimate& before,
+                 const TwoTrackEstimate& after)
+{
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (!areTouchesRecorded(before.side.at(k), after.side.at(k))) return true;
+        if (d.before.side.at(k).stepVerdict != d.after.side.at(k).stepVerdict) return false;
+    }
+    return d.before.both == d.after.both;
 }
 
 }  // namespace
@@ -149,6 +174,7 @@ Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEst
                        .before = verdictOf(before, robot, scene, {}, stepLimit),
                        .after = verdictOf(after, robot, scene, {}, stepLimit),
                        .likeness = likenessOf(before, after)};
+    if (!answerAlike(result, before, after)) result.likeness = Match::Other;
     for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &was = before.side.at(k), &is = after.side.at(k);

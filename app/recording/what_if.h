@@ -50,10 +50,13 @@ struct BinDifference {
 /// another order of summation in a later version, cause such differences.
 inline constexpr double kLastBits = 1e-6;
 
+/// Likeness of two estimates. Settings count by the verdict alone. A touch that one of the two did not record, as in
+/// the oldest sessions, does not count, and neither does the verdict then.
 enum class Match {
-    /// Every number of both sides, draws included, is bit-identical, and every text is equal.
+    /// Every number of both sides, draws included, is bit-identical. Touch, missing sensors, texts, the posterior check
+    /// and the verdict are equal.
     Identical,
-    LastBits,  ///< every number within kLastBits, every text equal
+    LastBits,  ///< every number within kLastBits, the rest equal
     Other
 };
 

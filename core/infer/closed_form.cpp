@@ -83,13 +83,14 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
 
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const Poll& poll)
+                                      const Settings& settings, const Poll& poll,
+                                      const EarlierTouch& earlier)
 {
     requireClosedForm(settings);
     callPoll(poll);
     const Eigen::VectorXd x = featuresFor(model, s);
     return estimateFrom({surfaceDistribution(model, x, coveredAt(robot, s), settings.method),
-                         contactErrorOf(model), model.novelty(x)},
+                         contactErrorOf(model), model.novelty(x), earlier},
                         s, arm, robot, settings, poll);
 }
 

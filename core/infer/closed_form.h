@@ -61,14 +61,15 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
 /// sd) and arm readings are measurements (measured_bins.h). Each conditions the mixture exactly in
 /// the surface coordinate y (core/learn/model/clearance.h). Its error in y is the change of y when
 /// the ground lies one sd lower. If a measurement is more than two standard deviations from every
-/// component, the mixture first becomes one Gaussian. poll: called at the start and while draws are
-/// made. TerrainEstimate::height is the median. There are settings.draws joint draws, at most
-/// kEnoughDraws with settings.stopEarly. rhat is 1 and ess is the number of draws. Throws
-/// std::invalid_argument for a method other than Joint and Local, and for settings out of range. It
-/// also throws if s lacks a feature that model.without() does not name, or if the estimate is not
-/// finite.
+/// component, the mixture first becomes one Gaussian. earlier: as in SurfacePrediction. poll: called
+/// at the start and while draws are made. TerrainEstimate::height is the median. There are
+/// settings.draws joint draws, at most kEnoughDraws with settings.stopEarly. rhat is 1 and ess is the
+/// number of draws. Throws std::invalid_argument for a method other than Joint and Local, and for
+/// settings out of range. It also throws if s lacks a feature that model.without() does not name, or
+/// if the estimate is not finite.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const Poll& poll = {});
+                                      const Settings& settings, const Poll& poll = {},
+                                      const EarlierTouch& earlier = {});
 
 }  // namespace terratact

@@ -94,12 +94,14 @@ TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmR
         return trailEstimate(s, *history, arm, robot, models, settings, poll);
     const bool isForgotten = own.method == Method::Trail;
     if (isForgotten) own.method = Method::Local;
+    const EarlierTouch earlier =
+        settings.method == Method::Trail ? earlierArm(history, 0) : EarlierTouch{};
     const auto reduced =
         missing.any() ? models.reduced.without(missing, watch.sideBySide, poll) : nullptr;
-    TerrainEstimate estimate =
-        reconstructClosedForm(s, arm, robot, reduced ? *reduced : models.clearance, own, poll);
+    TerrainEstimate estimate = reconstructClosedForm(
+        s, arm, robot, reduced ? *reduced : models.clearance, own, poll, earlier);
     estimate.settings = settings;
-    if (isForgotten) warnForgotten(estimate);
+    if (isForgotten) warnForgotten(estimate, earlier);
     warnMissing(estimate, settings.method, missing);
     return estimate;
 }

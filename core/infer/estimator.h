@@ -41,7 +41,8 @@ struct Models {
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
 /// Estimates one scene by settings.method. The method Trail uses `history`; without it, or without
-/// models.trail, Local estimates and a warning says so. If s lacks currents or forces that the method
+/// models.trail, Local estimates and a warning says so. In place of Trail, it uses what the arm measured
+/// earlier (earlierArm() of core/infer/trail_form.h). If s lacks currents or forces that the method
 /// uses, methodWithout() chooses the method (core/infer/estimate/missing_sensors.h).
 /// TerrainEstimate::missing and its warnings then say what is missing.
 /// The same scene, models and settings give the same result, bit for bit on one machine.

@@ -12,18 +12,27 @@ namespace {
 
 constexpr SourceText kForgotten =
     TR_NOOP("core", "nothing of the way is remembered: this scene alone counts");
+constexpr SourceText kArmAlone =
+    TR_NOOP("core", "of the way, only the arm's earlier readings are used");
 
 bool hasWay(const TrailHistory* history)
 {
     return history && isUsable(*history);
 }
 
-EarlierTouch earlierOn(const TrailGround& ground)
+EarlierTouch armOn(const TrailGround& ground)
 {
-    EarlierTouch earlier{ground.felt, {}};
+    EarlierTouch earlier;
     for (std::size_t i = 0; i < kBins; ++i)
         if (ground.armSd[i] > 0.0)
             earlier.arm[i] = MeasuredHeight{ground.armHeight[i], ground.armSd[i], Origin::Sampled};
+    return earlier;
+}
+
+EarlierTouch earlierOn(const TrailGround& ground)
+{
+    EarlierTouch earlier = armOn(ground);
+    earlier.felt = ground.felt;
     return earlier;
 }
 
@@ -77,15 +86,24 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
                         s, arms, robot, settings, poll);
 }
 
-void warnForgotten(TerrainEstimate& estimate)
+EarlierTouch earlierArm(const TrailHistory* history, std::size_t plane)
 {
-    estimate.warnings.emplace_back(kForgotten);
+    return hasWay(history) ? armOn(history->ground.at(plane)) : EarlierTouch{};
+}
+
+void warnForgotten(TerrainEstimate& estimate, const EarlierTouch& earlier)
+{
+    const bool hasArm =
+        std::ranges::any_of(earlier.arm, [](const std::optional<MeasuredHeight>& height) {
+            return height.has_value();
+        });
+    estimate.warnings.emplace_back(hasArm ? kArmAlone : kForgotten);
 }
 
 bool isForgotten(const TerrainEstimate& estimate)
 {
     return std::ranges::any_of(estimate.warnings, [](const Message& warning) {
-        return warning.source == kForgotten.english;
+        return warning.source == kForgotten.english || warning.source == kArmAlone.english;
     });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "core/infer/estimator.h"
@@ -27,8 +28,13 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
                                const SideArms& arms, const RobotModel& robot, const Models& models,
                                const Settings& settings, const Poll& poll = {});
 
-/// Adds the warning that nothing is remembered.
-void warnForgotten(TerrainEstimate& estimate);
+/// Returns the heights that the arm measured earlier, for an estimate by Local in place of Trail. They
+/// need no networks. Ground felt earlier is left out: the networks alone know its height
+/// (addRemembered()). plane: of the history. Nothing is returned without a usable history.
+EarlierTouch earlierArm(const TrailHistory* history, std::size_t plane);
+
+/// Adds the warning that the networks' memory is not used. earlier: of the estimate.
+void warnForgotten(TerrainEstimate& estimate, const EarlierTouch& earlier);
 /// Returns true if the estimate has that warning.
 bool isForgotten(const TerrainEstimate& estimate);
 

@@ -19,13 +19,6 @@ namespace terratact {
 
 namespace {
 
-constexpr double kTurned = 0.02;  // [rad] of a differential, beyond its sensor's noise
-
-bool hasTurned(const std::optional<double>& differential)
-{
-    return std::abs(differential.value_or(0.0)) > kTurned;
-}
-
 void requireSides(const TwoTrackReadings& s, const Models& models)
 {
     if (!models.sides)
@@ -76,16 +69,12 @@ std::vector<ArmReading> readingsOn(ProbeSide side, std::span<const ArmReading> r
     return own;
 }
 
-/// Warns about a scene whose sides differ, and that is estimated as one plane nevertheless.
-void warnOfOnePlane(TwoTrackEstimate& estimate, const Measurement& line, Method method)
+/// Warns about a scene whose sides differ, and that the method estimates as one plane nevertheless.
+void warnOfMethod(TwoTrackEstimate& estimate, Method method)
 {
-    if (hasTurned(line.differential))
-        warnBoth(estimate, TR_NOOP("core", "the track differential has turned: left and right are "
-                                           "estimated as one plane"));
-    else
-        warnBoth(estimate, Message(TR_NOOP("core", "method %1 estimates left and right as one "
-                                                   "plane, although they differ"),
-                                   name(method)));
+    warnBoth(estimate, Message(TR_NOOP("core", "method %1 estimates left and right as one plane, "
+                                               "although they differ"),
+                               name(method)));
 }
 
 }  // namespace
@@ -117,7 +106,7 @@ TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmRe
     if (!allowsBothSides(line, settings.method)) {
         TwoTrackEstimate plane =
             asOnePlane(line, readings, robot, models, settings, watch, history);
-        warnOfOnePlane(plane, line, settings.method);
+        if (!hasTurned(line.differential)) warnOfMethod(plane, settings.method);
         return plane;
     }
     TwoTrackEstimate estimate =
@@ -148,10 +137,12 @@ TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& 
     const Reduced left = reducedFor(absentLeft, models, watch, poll);
     const Reduced right = reducedFor(absentFeatures(s, Side::Right), models, watch, poll);
     const SideModels own{left ? *left : *models.sides, right ? *right : *models.sides};
-    TwoTrackEstimate estimate = reconstructBothSides(s, arms, robot, own, scene, poll);
-    for (TerrainEstimate& side : estimate.side) {
-        side.settings = settings;
-        if (isTrail && absentLeft.none()) warnForgotten(side);
+    std::array<EarlierTouch, 2> earlier;
+    if (isTrail) earlier = {earlierArm(history, 1), earlierArm(history, 2)};
+    TwoTrackEstimate estimate = reconstructBothSides(s, arms, robot, own, scene, poll, earlier);
+    for (std::size_t k = 0; k < 2; ++k) {
+        estimate.side[k].settings = settings;
+        if (isTrail && absentLeft.none()) warnForgotten(estimate.side[k], earlier[k]);
     }
     writeMissing(estimate.side[0], sideReadings(s, Side::Left));
     writeMissing(estimate.side[1], sideReadings(s, Side::Right));

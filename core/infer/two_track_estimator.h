@@ -39,6 +39,7 @@ TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmRe
                                   const TrailHistory* history = nullptr);
 
 /// Estimates both sides by models.sides, or by models.trail with a history, whatever the symmetry.
+/// The history acts as in estimateTerrain().
 /// Throws as estimateTwoTracks().
 TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                      const RobotModel& robot, const Models& models,

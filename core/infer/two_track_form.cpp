@@ -147,14 +147,16 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
 
 TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                       const RobotModel& robot, const SideModels& models,
-                                      const Settings& settings, const Poll& poll)
+                                      const Settings& settings, const Poll& poll,
+                                      const std::array<EarlierTouch, 2>& earlier)
 {
     requireClosedForm(settings);
     requireFeatures(s, models);
     callPoll(poll);
     return estimateFrom({sideDistribution(models, s, coveredOnSides(robot, s), settings.method),
                          {contactErrorOf(models.left), contactErrorOf(models.right)},
-                         models.left.novelty(sideFeatures(s, Side::Left))},
+                         models.left.novelty(sideFeatures(s, Side::Left)),
+                         earlier},
                         s, arms, robot, settings, poll);
 }
 

@@ -55,10 +55,11 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
 /// Estimates both sides of one scene in closed form, as reconstructClosedForm() does for one plane.
 /// Ceilings, contacts, felt bins and arm readings are those of each side's plane
 /// (core/robot/side_plane.h). A contact counts in bins of the flippers' line only. A measurement on
-/// one side also moves the other side, as far as their errors correlate. Throws
-/// std::invalid_argument as reconstructClosedForm().
+/// one side also moves the other side, as far as their errors correlate. earlier: of the left and the
+/// right side. Throws std::invalid_argument as reconstructClosedForm().
 TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                       const RobotModel& robot, const SideModels& models,
-                                      const Settings& settings, const Poll& poll = {});
+                                      const Settings& settings, const Poll& poll = {},
+                                      const std::array<EarlierTouch, 2>& earlier = {});
 
 }  // namespace terratact

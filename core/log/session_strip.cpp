@@ -20,7 +20,7 @@ Measurement timed(const SceneRow& row)
 }  // namespace
 
 SessionStrip::SessionStrip(SessionReader& reader, const RobotModel& robot, SessionTime from)
-    : reader_(&reader), strip_(robot), listener_(robot), at_(from)
+    : reader_(&reader), strip_(robot), listener_(robot), sensors_(robot), at_(from)
 {
 }
 
@@ -105,7 +105,9 @@ void SessionStrip::follow(SessionTime until)
         for (const FrameRow& row : reader_->frames(i)) {
             if (row.time <= from || row.time > until) continue;
             const auto received = listener_.receive(row.frame, secondsOf(row.time));
-            if (received) strip_.add(*received);
+            if (!received) continue;
+            sensors_.add(*received);
+            strip_.add(*received, sensors_.standing());
         }
 }
 

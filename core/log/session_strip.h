@@ -5,6 +5,7 @@
 
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/watch/sensor_watch.h"
 #include "core/strip/strip.h"
 #include "core/wire/telemetry_listener.h"
 
@@ -12,7 +13,8 @@ namespace terratact {
 
 /// The strip of felt ground (core/strip/strip.h) of a session, computed from the file alone. It uses telemetry, scenes,
 /// and the estimates that the console showed. Estimates of a second method are left out. An estimate that the operator
-/// cleared is taken out. Remembered ground that was cleared, or another model, begins a new section.
+/// cleared is taken out. Remembered ground that was cleared, or another model, begins a new section. So does a
+/// suspected odometry or pitch, by a sensor watch of its own.
 class SessionStrip {
 public:
     /// from: what came up to this time is left out. The reader must outlive this object.
@@ -41,6 +43,7 @@ private:
     SessionReader* reader_;
     Strip strip_;
     TelemetryListener listener_;
+    SensorWatch sensors_;
     SessionTime at_;
     std::int64_t entered_ = 0;  ///< id of the estimate that was entered last
     bool stands_ = false;       ///< the robot has not left it, and it was not cleared

@@ -49,13 +49,22 @@ Vec2 Odometry::imuAt(const Vec2& rolled, double pitch) const
     return {rolled.x + lever.x, rolled.z + lever.z};
 }
 
+/// Returns true if a step may be the flicker of a standing robot's way.
+bool Odometry::isFlicker(double step) const
+{
+    constexpr double kRounding = 1e-9;  // [m]
+    return step * now_.direction < 0.0 && std::abs(step) <= kFlicker + kRounding;
+}
+
 ReckonedState Odometry::after(const OdometryLine& line) const
 {
     requireFiniteLine(line);
     ReckonedState next = now_;
-    const double ds = line.travelled - now_.line.travelled;
-    const Vec2 along = rotated({1.0, 0.0}, (line.pitch + now_.line.pitch) / 2.0);
     next.line = line;
+    if (isFlicker(line.travelled - now_.line.travelled)) next.line.travelled = now_.line.travelled;
+    const double ds = next.line.travelled - now_.line.travelled;
+    if (ds != 0.0) next.direction = std::copysign(1.0, ds);
+    const Vec2 along = rotated({1.0, 0.0}, (line.pitch + now_.line.pitch) / 2.0);
     next.rolled = {now_.rolled.x + ds * along.x, now_.rolled.z + ds * along.z};
     next.way += std::abs(ds);
     next.wayAlong = {now_.wayAlong.x + std::abs(ds) * along.x,

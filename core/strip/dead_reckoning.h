@@ -31,11 +31,13 @@ struct OdometryLine {
 };
 
 /// Returns the odometry of a line that has `travelled`. A line without `turned` has not turned.
+/// Throws std::invalid_argument for a line without `travelled`.
 OdometryLine odometryOf(const Measurement& line);
 
 /// Sums of dead reckoning up to a moment.
 struct ReckonedState {
-    OdometryLine line{};
+    OdometryLine line{};              ///< `travelled` up to the last step that counted
+    double direction = 0.0;           ///< of that step: 1 forward, −1 backward; 0: none yet
     Vec2 rolled{};                    ///< [m] Σ ds (cos θ, sin θ)
     double way = 0.0;                 ///< [m] Σ |ds|
     Vec2 wayAlong{};                  ///< [m] Σ |ds| (cos θ, sin θ)
@@ -57,8 +59,13 @@ struct TiltRange {
 ///   upSd² = (pitchSd Σ |ds|)² + (trackAxle / √12 · max |θ − θ₀|)² + (trackY / √3 · max |φ − φ₀|)²
 /// share is RobotModel::travelledSdShare, pitchSd is the robot's, and φ is roll. The last two terms
 /// are the sd of a point anywhere between the axles and between the tracks' middles.
+/// The last digit of a standing robot's way may flicker. A step against the last one therefore waits
+/// until the way has come back by more than kFlicker. Then the whole step counts. A way that only
+/// rises, or only falls, counts line by line.
 class Odometry {
 public:
+    static constexpr double kFlicker = 0.002;  ///< [m] two counts of the frame Odometry
+
     /// The functions throw std::invalid_argument for a number that is not finite.
     Odometry(const RobotModel& robot, const OdometryLine& start);
 
@@ -72,6 +79,7 @@ public:
                      const TiltRange& tilt) const;
 
 private:
+    bool isFlicker(double step) const;
     Vec2 imuAt(const Vec2& rolled, double pitch) const;
 
     double share_, pitchSd_, pivotSd_, rollPivotSd_;

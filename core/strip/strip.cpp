@@ -34,6 +34,14 @@ Strip::Strip(const RobotModel& robot, const StripLimits& limits, Fusion fusion)
 {
 }
 
+void Strip::add(const Measurement& line, const std::vector<SensorSuspicion>& suspicions)
+{
+    if (isWaySuspected(suspicions))
+        way_.end(SectionStart::Suspected);
+    else
+        way_.add(line);
+}
+
 void Strip::beginScene(const Measurement& scene)
 {
     isSceneEntered_ = false;
@@ -290,8 +298,9 @@ SeenStrip Strip::seen() const
 std::optional<SectionStart> Strip::whyNothing() const
 {
     if (sections_.empty()) {
-        const bool isPlaced = way_.why() != SectionStart::NoOdometry || way_.now();
-        return isPlaced ? SectionStart::First : SectionStart::NoOdometry;
+        const SectionStart why = way_.why();
+        const bool hasNoPlace = why == SectionStart::NoOdometry || why == SectionStart::Suspected;
+        return hasNoPlace && !way_.now() ? why : SectionStart::First;
     }
     if (sections_.back().segment != way_.segment() || !way_.now()) return way_.why();
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/watch/sensor_suspicion.h"
 #include "core/strip/scene_scores.h"
 #include "core/strip/strip_section.h"
 #include "core/strip/strip_way.h"
@@ -81,16 +82,17 @@ public:
     explicit Strip(const RobotModel& robot, const StripLimits& limits = {},
                    Fusion fusion = Fusion::FeltFirst);
 
-    /// Adds the next line of telemetry.
-    void add(const Measurement& line) { way_.add(line); }
+    /// Adds the next line of telemetry. suspicions: of that line. While the odometry or the pitch is suspected, lines
+    /// and scenes have no place: the section ends.
+    void add(const Measurement& line, const std::vector<SensorSuspicion>& suspicions = {});
     /// Ends the section because telemetry was silent for too long by the caller's clock.
     void addSilence() { way_.end(SectionStart::TelemetryGap); }
 
     /// Marks the pose of a scene that will be estimated. It may be one of the last lines, while the robot stands.
     void beginScene(const Measurement& scene);
     /// Enters an estimate at the pose of the last scene. An estimate of the same scene that was entered before is
-    /// replaced. Without odometry nothing is entered. arm: all readings of the scene so far. What was said before of
-    /// the ground that is touched now is scored first (ledger()).
+    /// replaced. Nothing is entered of a scene without a place. arm: all readings of the scene so far. What was said
+    /// before of the ground that is touched now is scored first (ledger()).
     void enter(const TwoTrackEstimate& estimate, std::int64_t id,
                std::span<const ArmReading> arm = {});
     /// Takes out the estimate of the last scene, and what its contacts and passes scored.

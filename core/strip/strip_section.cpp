@@ -8,7 +8,7 @@ namespace terratact {
 namespace {
 
 constexpr auto kSectionStartNames = namesOf<SectionStart>(
-    "first", "turned", "telemetry gap", "no odometry", "odometry jump", "cleared");
+    "first", "turned", "telemetry gap", "no odometry", "odometry jump", "suspected", "cleared");
 
 }  // namespace
 
@@ -27,6 +27,7 @@ SourceText describe(SectionStart start)
                        "telemetry was missing for a while, in which the robot may have moved");
     case SectionStart::NoOdometry: return TR_NOOP("core", "the robot reports no odometry");
     case SectionStart::OdometryJump: return TR_NOOP("core", "the reported way has jumped");
+    case SectionStart::Suspected: return TR_NOOP("core", "the odometry or the pitch is suspected");
     case SectionStart::Cleared: return TR_NOOP("core", "the remembered ground was cleared");
     }
     throw std::invalid_argument("describe: no such SectionStart");

@@ -19,13 +19,15 @@ enum class SectionStart : std::uint8_t {
     TelemetryGap,  ///< telemetry was silent for too long
     NoOdometry,    ///< the robot reported no odometry
     OdometryJump,  ///< the reported way jumped, for example because the robot started anew
+    Suspected,     ///< the sensor watch suspected the odometry or the pitch
     Cleared,       ///< the operator cleared the strip, or another model was loaded
 };
 inline constexpr std::array kSectionStarts{SectionStart::First,        SectionStart::Turned,
                                            SectionStart::TelemetryGap, SectionStart::NoOdometry,
-                                           SectionStart::OdometryJump, SectionStart::Cleared};
+                                           SectionStart::OdometryJump, SectionStart::Suspected,
+                                           SectionStart::Cleared};
 
-/// Returns "first", "turned", "telemetry gap", "no odometry", "odometry jump" or "cleared".
+/// Returns "first", "turned", "telemetry gap", "no odometry", "odometry jump", "suspected" or "cleared".
 std::string_view name(SectionStart start);
 /// Returns a sentence such as "the robot has turned".
 SourceText describe(SectionStart start);

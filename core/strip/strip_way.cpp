@@ -27,6 +27,12 @@ void StripWay::end(SectionStart why)
     odometry_.reset();
 }
 
+void StripWay::endWithoutOdometry()
+{
+    if (odometry_ || why_ == SectionStart::First || why_ == SectionStart::Suspected)
+        end(SectionStart::NoOdometry);
+}
+
 void StripWay::begin(const OdometryLine& line)
 {
     odometry_.emplace(robot_, line);
@@ -39,13 +45,13 @@ void StripWay::add(const Measurement& line)
     const double silence = std::abs(line.time - newest_.value_or(line.time));
     newest_ = line.time;
     if (!line.travelled) {
-        if (odometry_ || why_ == SectionStart::First) end(SectionStart::NoOdometry);
+        endWithoutOdometry();
         return;
     }
     const OdometryLine odometry = odometryOf(line);
     if (odometry_ && silence > limits_.silence) end(SectionStart::TelemetryGap);
-    if (odometry_ && std::abs(odometry.travelled - odometry_->now().line.travelled) > limits_.jump)
-        end(SectionStart::OdometryJump);
+    const double way = odometry_ ? odometry.travelled - odometry_->now().line.travelled : 0.0;
+    if (std::abs(way) > limits_.wayWithin(silence)) end(SectionStart::OdometryJump);
     if (odometry_) {
         odometry_->add(odometry);
         if (turns_.add(odometry_->now().way, odometry_->now().heading)) end(SectionStart::Turned);
@@ -63,9 +69,10 @@ void StripWay::beginScene(const Measurement& scene)
 {
     scene_.reset();
     if (!scene.travelled) {
-        if (odometry_ || why_ == SectionStart::First) end(SectionStart::NoOdometry);
+        endWithoutOdometry();
         return;
     }
+    if (!odometry_ && why_ == SectionStart::Suspected) return;  // so is the scene
     const OdometryLine line = odometryOf(scene);
     if (!odometry_) begin(line);
     const ReckonedState at = odometry_->after(line);

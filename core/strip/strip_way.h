@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
+#include "core/limits.h"
 #include "core/strip/dead_reckoning.h"
 #include "core/strip/pose_covariance.h"
 #include "core/strip/strip_match.h"
@@ -13,10 +15,15 @@ namespace terratact {
 
 /// Limits of a stretch of the way.
 struct WayLimits {
-    double turn = 0.10;            ///< [rad] change of heading within turnWay that ends it
-    double turnWay = 0.30;         ///< [m]
-    double silence = kMaxSilence;  ///< [s] between two lines of telemetry
-    double jump = 1.0;             ///< [m] largest way between two lines
+    double turn = 0.10;             ///< [rad] change of heading within turnWay that ends it
+    double turnWay = 0.30;          ///< [m]
+    double silence = kMaxSilence;   ///< [s] between two lines of telemetry
+    double jump = 1.0;              ///< [m] largest way between two lines, and at most
+    double speed = kFastestTracks;  ///< [m/s] times the time between them
+    double leap = 0.15;             ///< [m] plus this: a robot that tips over rolls so far at once
+
+    /// Returns the largest way between two lines that are this far apart [s].
+    double wayWithin(double seconds) const { return std::min(jump, speed * seconds + leap); }
 };
 
 /// The way of the robot, by dead reckoning between the scenes. Each scene corrects it by the ground that it shares
@@ -49,7 +56,8 @@ public:
     /// Begins a new segment.
     void end(SectionStart why);
 
-    /// Marks a scene. It may be one of the last lines, while the robot stands. Without odometry there is no scene.
+    /// Marks a scene. It may be one of the last lines, while the robot stands. Without odometry there is no scene, nor
+    /// directly behind SectionStart::Suspected.
     void beginScene(const Measurement& scene);
     const std::optional<ScenePose>& scene() const { return scene_; }
     /// Returns the prior covariance of the way to the scene.
@@ -67,6 +75,7 @@ public:
     SectionStart why() const { return why_; }  ///< reason of the present segment
 
 private:
+    void endWithoutOdometry();
     void begin(const OdometryLine& line);
     WayPose poseAt(const ReckonedState& state, const Chain& chain,
                    const PoseCovariance& link) const;

@@ -223,6 +223,21 @@ std::optional<WayPose> TrailRecord::poseAt(const Measurement& scene) const
     return way.now();
 }
 
+/// Returns true if the ground of a press lies aside of a later pose, by more than half a flipper's width.
+bool TrailRecord::isAside(const Press& press, const WayPose& pose) const
+{
+    return sidewaysOf(press.pose, pose, robot_.lateral.flipperY)
+         > 0.5 * robot_.lateral.flipperWidth;
+}
+
+/// Returns true if the robot has not tilted or turned since a press at the same place.
+bool TrailRecord::standsAt(const Press& press, const Measurement& scene, const WayPose& pose) const
+{
+    const OdometryLine& then = press.at.line;
+    return scene.turned && std::abs(then.pitch - scene.pitch) < kSameTilt
+        && std::abs(then.roll - scene.roll) < kSameTilt && !isAside(press, pose);
+}
+
 void TrailRecord::addScene(const Measurement& scene)
 {
     Measurement now = scene;
@@ -242,10 +257,7 @@ void TrailRecord::addScene(const Measurement& scene)
     }
     if (hasBothSides(scene)) press.pressed[0] = common(press.pressed[1], press.pressed[2]);
     if (!presses_.empty() && std::abs(pose->way - presses_.back().pose.way) < kStep) {
-        const OdometryLine& then = presses_.back().at.line;
-        if (std::abs(then.pitch - scene.pitch) < kSameTilt
-            && std::abs(then.roll - scene.roll) < kSameTilt)
-            press.arm = std::move(presses_.back().arm);
+        if (standsAt(presses_.back(), scene, *pose)) press.arm = std::move(presses_.back().arm);
         presses_.pop_back();
         std::erase_if(places_, [&](const Place& place) {
             return place.isScene && std::abs(place.way - pose->way) < kStep;
@@ -265,6 +277,11 @@ void TrailRecord::addArm(const Measurement& scene, const ArmReading& reading)
         return other.bin == reading.bin && other.side == reading.side;
     });
     press.arm.push_back(reading);
+}
+
+std::vector<ArmReading> TrailRecord::armHere() const
+{
+    return presses_.empty() ? std::vector<ArmReading>{} : presses_.back().arm;
 }
 
 void TrailRecord::forgetFelt()
@@ -351,8 +368,7 @@ std::optional<TrailRecord::Carried> TrailRecord::carried(const Press& press, dou
     to.dz = press.pose.imu.z - pose.imu.z;
     to.sd = carriedSd(to.since, kSlopes);
     to.slip = std::abs(to.since.slipForward);
-    const double aside = sidewaysOf(press.pose, pose, robot_.lateral.flipperY);
-    if (to.sd > kRememberedSd || aside > 0.5 * robot_.lateral.flipperWidth) return std::nullopt;
+    if (to.sd > kRememberedSd || isAside(press, pose)) return std::nullopt;
     return to;
 }
 

@@ -60,13 +60,17 @@ public:
     TrailHistory before(const Measurement& scene, double way = kTrailReach) const;
 
     /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
-    /// replaces it. It keeps its arm readings if the robot has not tilted since. The scene counts
-    /// as a line of telemetry.
+    /// replaces it. It keeps its arm readings if the robot has neither tilted nor turned aside since.
+    /// The scene counts as a line of telemetry.
     void addScene(const Measurement& scene);
 
     /// Keeps a reading of the arm at the newest scene that was added. It lies at its bin's centre. A
     /// later one of the same bin and side replaces it. Nothing is kept if the robot has left that scene.
     void addArm(const Measurement& scene, const ArmReading& reading);
+
+    /// Returns the arm's readings that belong to the newest scene that was added: those before a press in
+    /// place, too. None if that scene has no odometry.
+    std::vector<ArmReading> armHere() const;
 
     /// Forgets what the flippers and the arm felt, because a sensor of theirs is suspected.
     void forgetFelt();
@@ -105,6 +109,8 @@ private:
     /// Returns true if a press is part of the history of a later pose.
     static bool isBefore(const Press& press, const Measurement& scene, const WayPose& pose,
                          double reach);
+    bool isAside(const Press& press, const WayPose& pose) const;
+    bool standsAt(const Press& press, const Measurement& scene, const WayPose& pose) const;
     std::optional<WayPose> poseAt(const Measurement& scene) const;
     Place placeOf(const WayPose& pose, const Measurement& line, bool isScene) const;
     void forgetAfterBreak();

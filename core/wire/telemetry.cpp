@@ -79,13 +79,13 @@ double voltageOf(double force, double bias, const RobotModel& robot)
 }
 
 /// Returns the odometry. Empty also for a way beyond its signal, whose limit would pass for a
-/// standing robot.
+/// standing robot, and for a way without a heading: a heading of 0 would be one that never turns.
 std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
 {
     const SignalLayout& way = layoutOf(FrameKind::Odometry).payload[0];
     if (!m.travelled || *m.travelled < way.least || *m.travelled > way.most) return std::nullopt;
-    return SensorLine::Odometry{*m.travelled,
-                                std::remainder(m.turned.value_or(0.0), 2.0 * std::numbers::pi)};
+    if (!m.turned) return std::nullopt;
+    return SensorLine::Odometry{*m.travelled, std::remainder(*m.turned, 2.0 * std::numbers::pi)};
 }
 
 /// Place of a set of voltages of SensorLine.

@@ -5564,10 +5564,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>zapamatovaný terén byl smazán</translation>
     </message>
     <message>
-        <source>the memory of the way needs every current and force: it is not used</source>
-        <translation>paměť cesty potřebuje všechny proudy a síly: nepoužívá se</translation>
-    </message>
-    <message>
         <source>nothing of the way is remembered: this scene alone counts</source>
         <translation>z cesty není nic zapamatováno: platí jen tato scéna</translation>
     </message>
@@ -7478,10 +7474,6 @@ F1</translation>
     <message>
         <source>the networks %1 learnt from another robot</source>
         <translation>sítě %1 se učily na jiném robotu</translation>
-    </message>
-    <message>
-        <source>the odometry or the pitch is suspected</source>
-        <translation>odometrie nebo podélný sklon jsou podezřelé</translation>
     </message>
     <message>
         <source>the way begins here</source>

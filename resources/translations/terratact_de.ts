@@ -5564,10 +5564,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der gemerkte Boden wurde gelöscht</translation>
     </message>
     <message>
-        <source>the memory of the way needs every current and force: it is not used</source>
-        <translation>das Gedächtnis des Wegs braucht alle Ströme und Kräfte: es wird nicht benutzt</translation>
-    </message>
-    <message>
         <source>nothing of the way is remembered: this scene alone counts</source>
         <translation>vom Weg ist nichts gemerkt: nur diese Szene zählt</translation>
     </message>
@@ -7478,10 +7474,6 @@ F1</translation>
     <message>
         <source>the networks %1 learnt from another robot</source>
         <translation>die Netze %1 haben von einem anderen Roboter gelernt</translation>
-    </message>
-    <message>
-        <source>the odometry or the pitch is suspected</source>
-        <translation>die Odometrie oder die Längsneigung ist verdächtig</translation>
     </message>
     <message>
         <source>the way begins here</source>

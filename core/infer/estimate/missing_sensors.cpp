@@ -60,7 +60,8 @@ std::vector<Message> missingSentences(Method method, MissingFeatures missing)
             TR_NOOP("core", "method clearance needs every current and force: local estimates"));
     if (method == Method::Trail)
         sentences.emplace_back(
-            TR_NOOP("core", "the memory of the way needs every current and force: it is not used"));
+            TR_NOOP("core", "the memory of the way needs every current and force: only the arm's "
+                            "earlier readings are used"));
     if (isOfPaper(method))
         sentences.emplace_back(TR_NOOP("core", "the processes use pitch and flipper angles alone"));
     return sentences;

@@ -16,7 +16,7 @@ MissingFeatures missingFor(Method method, const Proprioception& s);
 /// Returns the method that estimates a scene without those features:
 ///   Joint, Local  the same method, without those features (core/learn/model/reduced_clearances.h)
 ///   Pafc, Pafac   the same method with Pa's conditionals, the remaining contacts, ceilings, arm
-///   Clearance, Trail  Local
+///   Clearance, Trail  Local; in place of Trail it keeps the arm's earlier readings
 Method methodWithout(Method method, MissingFeatures missing);
 
 /// Returns one sentence for what was not measured, and one if another method replaces `method`;

@@ -35,6 +35,11 @@ bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor)
                        [sensor](const SensorSuspicion& s) { return s.sensor == sensor; });
 }
 
+bool isWaySuspected(const std::vector<SensorSuspicion>& suspicions)
+{
+    return isSuspected(suspicions, Sensor::Travelled) || isSuspected(suspicions, Sensor::Pitch);
+}
+
 Message describeTrouble(const SensorSuspicion& s)
 {
     switch (s.trouble) {

@@ -44,6 +44,9 @@ SensorSuspicion suspicionFor(double seconds, Sensor sensor, SensorTrouble troubl
 /// Returns true if one of the suspicions is of that sensor.
 bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor);
 
+/// Returns true if the odometry or the pitch is suspected. They place the robot along its way.
+bool isWaySuspected(const std::vector<SensorSuspicion>& suspicions);
+
 /// Returns the fault without the sensor: "not changed for 12 s while the robot drove 0.6 m,
 /// stuck?".
 Message describeTrouble(const SensorSuspicion& suspicion);

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/limits.h"
+
 namespace terratact {
 namespace {
 
 constexpr double kTilt = 1.5;       // [rad]
-constexpr double kSpeed = 1.5;      // [m/s]
 constexpr double kSideShare = 0.4;  // of a force of one side, whose noise no mean reduces
 constexpr double kJump = 0.3;       // [m] a robot that tips over an edge rolls less at once
 constexpr double kMaxGap = 0.2;     // [s] between lines that are neighbours
@@ -96,7 +97,7 @@ void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& read
     const double way = *line.travelled - *before_->measurement.travelled;
     const bool isAnew = std::abs(*line.travelled) < kAnew;
     if (!isAnew && std::abs(way) > kJump
-        && std::abs(way) > kSpeed * std::max(line.time - before_->measurement.time, 0.05))
+        && std::abs(way) > kFastestTracks * std::max(line.time - before_->measurement.time, 0.05))
         suspect(Sensor::Travelled, SensorTrouble::OutOfRange, line.time, *line.travelled);
 }
 

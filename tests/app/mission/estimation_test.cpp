@@ -1,6 +1,9 @@
 // Tests the estimates of a scene: preparation, live previews, the strip, and models.
 #include "app/mission/estimation.h"
 
+#include <cmath>
+#include <vector>
+
 #include "tests/support/benches/exploration_bench.h"
 
 namespace terratact {
@@ -18,8 +21,11 @@ struct DrivingOn : Bench {
     void driveBy(double metres)
     {
         telemetry.activity = RobotActivity::Driving;
-        if (telemetry.travelled) *telemetry.travelled += metres;
-        tick(2);
+        const auto steps = static_cast<int>(std::lround(metres / 0.1));
+        for (int k = 0; k < steps; ++k) {
+            if (telemetry.travelled) *telemetry.travelled += 0.1;
+            tick(2);
+        }
     }
     HeightBand rememberedAt(double x)
     {
@@ -79,6 +85,25 @@ TEST_F(DrivingOn, showsNothingRememberedWhileTheLinkIsLost)
         << "it is ended for that, not for the silence of now";
 }
 
+TEST_F(DrivingOn, remembersNothingBehindASuspectedPitch)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    driveBy(0.1);
+    ASSERT_FALSE(exploration->estimation().remembered().isEmpty());
+    suspicions = {{.sensor = Sensor::Pitch}};
+    driveBy(0.1);
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "is suspected"));
+    suspicions.clear();
+    driveBy(0.1);
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty()) << "nothing is joined over it";
+    telemetry.activity = RobotActivity::Halted;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_FALSE(exploration->estimation().remembered().isEmpty());
+}
+
 TEST_F(DrivingOn, aClearedEstimateIsNotRemembered)
 {
     telemetry.travelled = 0.0;
@@ -112,6 +137,75 @@ TEST_F(DrivingOn, rememberedGroundCanBeCleared)
     tick();
     EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
     EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "was cleared"));
+}
+
+/// A robot whose arm has measured a bin, and that presses again.
+struct PressingAgain : Bench {
+    const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+
+    void probe()
+    {
+        telemetry.travelled = 1.0;
+        telemetry.turned = 0.0;
+        ASSERT_NO_FATAL_FAILURE(propose());
+        exploration->approve(exploration->proposal()->id);
+        ASSERT_TRUE(reaches(AtemPhase::Probing));
+        telemetry.activity = RobotActivity::Probing;
+        tick(3);
+        telemetry.activity = RobotActivity::Pressed;
+        telemetry.arm = reading;
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+        telemetry.activity = RobotActivity::Halted;
+        telemetry.arm.reset();
+        tick(3);
+    }
+    /// Returns the readings that count for the estimate after the next press.
+    std::vector<ArmReading> readingsAfterAPress()
+    {
+        press();
+        EXPECT_TRUE(reaches(AtemPhase::Estimating));
+        return exploration->estimation().readings();
+    }
+};
+
+TEST_F(PressingAgain, inPlaceKeepsTheArmsReading)
+{
+    ASSERT_NO_FATAL_FAILURE(probe());
+    EXPECT_EQ(readingsAfterAPress(), std::vector{reading});
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().estimate().has_value();
+    }));
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimation().ledger().entries().size(), 1U) << "it is scored once";
+}
+
+TEST_F(PressingAgain, elsewhereBeginsWithoutAReading)
+{
+    ASSERT_NO_FATAL_FAILURE(probe());
+    *telemetry.travelled += 0.04;
+    EXPECT_TRUE(readingsAfterAPress().empty());
+}
+
+TEST_F(PressingAgain, tiltedBeginsWithoutAReading)
+{
+    ASSERT_NO_FATAL_FAILURE(probe());
+    telemetry.pitch += 0.03;
+    EXPECT_TRUE(readingsAfterAPress().empty());
+}
+
+TEST_F(PressingAgain, turnedBeginsWithoutAReading)
+{
+    ASSERT_NO_FATAL_FAILURE(probe());
+    *telemetry.turned += 0.06;
+    EXPECT_TRUE(readingsAfterAPress().empty());
+}
+
+TEST_F(PressingAgain, underSuspicionBeginsWithoutAReading)
+{
+    ASSERT_NO_FATAL_FAILURE(probe());
+    suspicions = {{.sensor = Sensor::Force1}};
+    EXPECT_TRUE(readingsAfterAPress().empty());
 }
 
 TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)

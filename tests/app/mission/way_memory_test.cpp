@@ -1,13 +1,19 @@
 // Tests the memory of the way: what estimates use it, why they do not, and that a session repeats them.
 #include "app/mission/way_memory.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "app/mission/memory_text.h"
 #include "app/mission/session_event_logger.h"
+#include "app/recording/session_folder.h"
 #include "app/recording/session_recorder.h"
 #include "app/recording/what_if.h"
+#include "core/infer/estimate/felt_horizon.h"
 #include "core/learn/model/file/model_file.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/store/file_read.h"
@@ -41,6 +47,7 @@ SimulatedRobot::Options atStart()
 {
     SimulatedRobot::Options options;
     options.startX = 1.5;
+    options.probeSeconds = 0.4;
     return options;
 }
 
@@ -133,6 +140,18 @@ TEST_F(OneGround, ASuspectedPitchIsNotRemembered)
     EXPECT_LT(estimation().scene()->memory.history->way, 0.5);
 }
 
+TEST_F(OneGround, ASuspectedPitchLeavesTheStrip)
+{
+    ASSERT_TRUE(explore()) << eventText();
+    driveBy(0.1);
+    EXPECT_FALSE(estimation().remembered().isEmpty());
+    suspicions = {{.sensor = Sensor::Pitch}};
+    driveBy(0.3);
+    ASSERT_TRUE(explore()) << eventText();
+    EXPECT_TRUE(estimation().remembered().isEmpty());
+    EXPECT_EQ(estimation().strip().sections().size(), 1U) << "the estimate has no place";
+}
+
 TEST_F(OneGround, AMissingCurrentKeepsTheMemoryUnused)
 {
     change = [](Measurement& line) { line.missing[kFrontCurrentFeature] = true; };
@@ -211,7 +230,24 @@ TEST(WayMemory, NetworksServeRobotsOfTheSameShape)
     EXPECT_FALSE(fitSameNetworks(absolem(), other));
 }
 
-/// Records a drive with estimates and opens the session.
+/// Explores and probes the ground at 0.6 m.
+void exploreAndProbe(SimulatedExploration& bench)
+{
+    bench.exploration.askProbe({9});
+    if (!bench.reaches(AtemPhase::ProposingProbe)) throw std::runtime_error(bench.eventText());
+    bench.exploration.approve(bench.exploration.proposal()->id);
+    EXPECT_TRUE(bench.reaches(AtemPhase::Presenting)) << bench.eventText();
+    EXPECT_EQ(bench.estimation().readings().size(), 1U) << bench.eventText();
+}
+
+bool remembersAProbe(const SceneRow& scene)
+{
+    return scene.memory && std::ranges::any_of(scene.memory->ground, [](const TrailGround& ground) {
+               return std::ranges::any_of(ground.armSd, [](double sd) { return sd > 0.0; });
+           });
+}
+
+/// Records a drive with estimates and a probe, and opens the session.
 SessionReader recorded(SimulatedExploration& bench, const std::string& folder)
 {
     SessionStart start = someStart();
@@ -222,8 +258,10 @@ SessionReader recorded(SimulatedExploration& bench, const std::string& folder)
         SessionEventLogger logger(recorder, bench.exploration, bench.worker, nullptr);
         bench.begin();
         EXPECT_TRUE(bench.explore()) << bench.eventText();
-        for (int stop = 0; stop < 3; ++stop) {
-            bench.driveBy(0.3);
+        bench.driveBy(0.3);
+        exploreAndProbe(bench);
+        for (const double way : {0.1, 0.3}) {
+            bench.driveBy(way);
             EXPECT_TRUE(bench.explore()) << bench.eventText();
         }
     }
@@ -240,13 +278,16 @@ void expectRepeated(SessionReader& session)
     models.trail =
         std::make_shared<const TrailModel>(std::move(readTrail(kModels + "default.ttn")->data));
     EXPECT_EQ(session.models().at(0).trailName, "default.ttn");
-    int remembering = 0;
+    int remembering = 0, probed = 0, afterAProbe = 0;
     for (const EstimateRow& row : session.estimates()) {
         const Settings& settings = row.estimate.side[0].settings;
         remembering += settings.method == Method::Trail ? 1 : 0;
         const auto before = recordedEstimate(session, row);
         const auto again = estimateAgain(session, row, models, settings);
         ASSERT_TRUE(before && again);
+        EXPECT_TRUE(isTouchRecorded(before->side[0]) && isTouchRecorded(before->side[1]));
+        probed += row.readings.empty() ? 0 : 1;
+        afterAProbe += remembersAProbe(*session.scene(row.scene)) ? 1 : 0;
         const Measurement& scene = session.scene(row.scene)->measurement;
         EXPECT_EQ(differencesBetween(*before, *again, absolem(), scene, row.stepLimit).likeness,
                   Match::Identical)
@@ -258,7 +299,9 @@ void expectRepeated(SessionReader& session)
         ASSERT_TRUE(other);
         EXPECT_NE(other->side[0].height, again->side[0].height) << "the memory counts";
     }
-    EXPECT_EQ(remembering, 3);
+    EXPECT_EQ(remembering, 4);
+    EXPECT_EQ(probed, 1);
+    EXPECT_GE(afterAProbe, 1) << "the arm's reading is carried along the way";
 }
 
 TEST(RecordedMemory, EstimatesOfOnePlaneAreRepeatedBitForBit)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/log/review_moment.h"
+#include "core/log/session_strip.h"
 #include "core/wire/telemetry_listener.h"
 #include "tests/support/bytes/csv_mapping.h"
 #include "tests/support/sessions/session_files.h"
@@ -143,6 +144,35 @@ TEST_F(ImportedSessions, csvBecomesASessionWithScenes)
     ASSERT_TRUE(moment.measurement);
     EXPECT_EQ(moment.measurement->activity, RobotActivity::Driving);
     EXPECT_TRUE(moment.linkAlive);
+}
+
+TEST_F(ImportedSessions, aWayWithoutAHeadingIsNoOdometry)
+{
+    std::string rows = fmt::format("t,{},s,heading\n", kPoseColumns);
+    for (int i = 0; i < 40; ++i) rows += fmt::format("{},0,0,0,0,0,{},0.1\n", 0.05 * i, 0.01 * i);
+    const std::string file = directory.write("a.csv", rows), way = "[travelled]\nfield = \"s\"\n";
+    const auto said = [](const ImportedSession& session) {
+        return std::ranges::any_of(session.remarks, [](const std::string& remark) {
+            return remark.find("the way is left out") != std::string::npos;
+        });
+    };
+    const auto alone = imported(file, directory.write("m.toml", csvMapping(way)), "a.tts");
+    ASSERT_TRUE(alone) << alone.error().text;
+    EXPECT_TRUE(said(*alone));
+    EXPECT_FALSE(linesOfSession(directory.file("a.tts")).back().travelled);
+    auto reader = SessionReader::open(directory.file("a.tts"));
+    ASSERT_TRUE(reader);
+    SessionStrip strip(*reader, shippedRobot());
+    strip.goTo(reader->end());
+    EXPECT_EQ(strip.strip().whyNothing(), SectionStart::NoOdometry);
+
+    const std::string heading = way + "[turned]\nfield = \"heading\"\n";
+    const auto both = imported(file, directory.write("m.toml", csvMapping(heading)), "b.tts");
+    ASSERT_TRUE(both) << both.error().text;
+    EXPECT_FALSE(said(*both));
+    const Measurement last = linesOfSession(directory.file("b.tts")).back();
+    EXPECT_NEAR(last.travelled.value(), 0.39, 1e-3);
+    EXPECT_NEAR(last.turned.value(), 0.1, 1e-3);
 }
 
 TEST_F(ImportedSessions, badInputLeavesNothing)

@@ -121,6 +121,49 @@ TEST(Differences, areJudgedOnBothSides)
     EXPECT_EQ(differencesBetween(sides, moved, {}, {}, 0.1).likeness, Match::LastBits);
 }
 
+TEST(Differences, countTouchSensorsAndContradiction)
+{
+    const TerrainEstimate recorded = clearEstimate();
+    const auto likenessAfter = [&](const auto& change) {
+        TwoTrackEstimate other = equalSides(recorded);
+        change(other.side[1]);
+        return differencesBetween(equalSides(recorded), other, {}, {}, 0.1).likeness;
+    };
+    using Estimate = TerrainEstimate;
+    EXPECT_EQ(likenessAfter([](Estimate&) {}), Match::Identical);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.touch[9] = Touch::Bounded; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.feltTo += 0.01; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.feltTo += 1e-9; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.missing.set(kFirstForceFeature); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.contradicts = true; }), Match::Other);
+}
+
+TEST(Differences, leaveOutATouchThatIsNotRecorded)
+{
+    const TerrainEstimate now = clearEstimate();
+    TerrainEstimate old = now;
+    old.touch = unrecordedTouch();
+    old.feltTo = binBegin(0);
+    TerrainEstimate felt = now;
+    felt.feltTo = 0.5;
+    const Differences d = differencesBetween(equalSides(old), equalSides(felt), {}, {}, 0.1);
+    EXPECT_EQ(d.likeness, Match::Identical);
+    EXPECT_FALSE(d.before.side[0].touchRecorded);
+}
+
+TEST(Differences, countTheVerdict)
+{
+    const TerrainEstimate clear = clearEstimate();
+    TerrainEstimate strict = clear;
+    strict.settings.rollLimit = 0.01;
+    Measurement scene;
+    scene.roll = 0.02;
+    const Differences d = differencesBetween(equalSides(clear), equalSides(strict), {}, scene, 0.1);
+    ASSERT_EQ(d.before.both, StepVerdict::Clear);
+    ASSERT_EQ(d.after.both, StepVerdict::CannotTell);
+    EXPECT_EQ(d.likeness, Match::Other) << "the numbers are the same, the answer is not";
+}
+
 TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
 {
     TerrainEstimate recorded = stepEstimate();

@@ -97,9 +97,15 @@ INSTANTIATE_TEST_SUITE_P(
                   true},
         LoopArrow{"pressesAgainIfNotClear", loopAt(Presenting, false),
                   forbidden(LoopEnd::Blocked, {kBegun}), Halting, true},
+        LoopArrow{"pressesAgainIfTheRobotHasMoved", loopAt(Presenting, false),
+                  held({kBegun, &AtemInput::poseChanged}), Halting, true},
+        LoopArrow{"beginsWhereTheRobotHasMoved", loopAt(Idle, false),
+                  held({kBegun, &AtemInput::poseChanged}), Halting, true},
         LoopArrow{"anExplorationIsNoLoop", loopAt(Idle, false),
                   held({kBegun, &AtemInput::requested}), Halting, false},
         LoopArrow{"halts", loopAt(Halting), held({&AtemInput::halted}), Pressing, true},
+        LoopArrow{"waitsForTheRobotToBegin", loopAt(Halting), held({&AtemInput::unbegun}), Halting,
+                  true},
         LoopArrow{"presses", loopAt(Pressing), held({&AtemInput::pressed}), Estimating, true},
         LoopArrow{"estimates", loopAt(Estimating), held({&AtemInput::estimateReady}), Presenting,
                   true},
@@ -161,6 +167,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         LoopArrow{"doesNotHalt", loopAt(Halting), held({}, 3.0), Failed, false, LoopEnd::Fault,
                   AtemFailure::HaltTimeout},
+        LoopArrow{"doesNotBegin", loopAt(Halting), held({&AtemInput::unbegun}, 3.0), Failed, false,
+                  LoopEnd::Fault, AtemFailure::BeginTimeout},
+        LoopArrow{"pressNotSent", loopAt(Pressing), held({&AtemInput::notSent}), Failed, false,
+                  LoopEnd::Fault, AtemFailure::NotSent},
+        LoopArrow{"advanceNotSent", loopAt(Advancing), held({&AtemInput::notSent}), Failed, false,
+                  LoopEnd::Fault, AtemFailure::NotSent},
+        LoopArrow{"advanceNotSentAsItIsLetGo", loopAt(Advancing),
+                  without(&AtemInput::held, {&AtemInput::notSent}), Idle, false, LoopEnd::LetGo},
         LoopArrow{"pressRefused", loopAt(Pressing), held({&AtemInput::pressRefused}), Failed, false,
                   LoopEnd::Fault, AtemFailure::PressRefused},
         LoopArrow{"pressTooLong", loopAt(Pressing), held({}, 15.0), Failed, false, LoopEnd::Fault,
@@ -225,7 +239,7 @@ TEST(FeelForward, movesOnlyWhileItIsHeldAndNothingForbidsIt)
         &AtemInput::poseChanged,    &AtemInput::loopRequested, &AtemInput::held,
         &AtemInput::telemetryFresh, &AtemInput::advanced,      &AtemInput::advanceRefused,
         &AtemInput::notMoved,       &AtemInput::ranOn,         &AtemInput::tilted,
-        &AtemInput::noOdometry};
+        &AtemInput::noOdometry,     &AtemInput::notSent};
     const auto mayLoop = [](AtemPhase phase) {
         return phase == Halting || phase == Pressing || phase == Estimating || phase == Presenting
             || phase == Advancing;
@@ -243,6 +257,7 @@ TEST(FeelForward, movesOnlyWhileItIsHeldAndNothingForbidsIt)
                 in.forbids = in.noOdometry ? LoopEnd::None : LoopEnd::Undecided;
                 const AtemState next = nextState(loopAt(phase, loops), in, atem_loop::kLimits);
                 ASSERT_FALSE(next.loops && next.loopEnd != LoopEnd::None);
+                ASSERT_FALSE(next.loops && in.notSent && exploring(phase));
                 if (next.loops) {
                     ASSERT_TRUE(mayLoop(next.phase) && in.held && !in.stop && in.linkAlive
                                 && in.armed);

@@ -107,6 +107,51 @@ TEST_F(StripOfSession, gapsAndModelsEndASection)
     EXPECT_EQ(at(kStood - 0.05).whyNothing(), std::nullopt);
 }
 
+/// Writes a session of a robot that drives 3 m at 0.2 m/s. Its pitch never changes by one count. It is explored at
+/// the begin.
+void recordStuckPitch(const std::string& path)
+{
+    const RobotModel robot = absolem();
+    SessionStart start = someStart();
+    start.robot = *readFile(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml", 1U << 16U);
+    auto writer = SessionWriter::create(path, start);
+    ASSERT_TRUE(writer) << writer.error().text;
+    ASSERT_TRUE(
+        writer->add(ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')}));
+    Measurement line;
+    line.pitch = 0.05;
+    line.turned = 0.0;
+    for (int k = 0; k < 300; ++k) {
+        const SessionTime time = sessionTimeOf(0.05 * k);
+        line.travelled = 0.01 * k;
+        const RobotStatus status{.epoch = 1, .activity = RobotActivity::Driving};
+        std::vector<CanFrame> frames =
+            framesOf(sensorLineOf(line, robot), static_cast<std::uint8_t>(k), lineExtent(robot));
+        frames.insert(frames.begin(), frameOf(status, static_cast<std::uint8_t>(k)));
+        for (const CanFrame& frame : frames)
+            ASSERT_TRUE(writer->add(FrameRow{.time = time, .frame = frame}));
+        if (k == 1) {
+            SceneRow scene = someScene(1, time);
+            scene.measurement.travelled = line.travelled;
+            ASSERT_TRUE(writer->add(scene));
+            ASSERT_TRUE(writer->add(someEstimate(1, time)));
+        }
+        ASSERT_TRUE(writer->commit());
+    }
+    ASSERT_TRUE(writer->seal());
+}
+
+TEST_F(StripOfSession, aStuckPitchEndsASection)
+{
+    const std::string path = directory.file("stuck.tts");
+    ASSERT_NO_FATAL_FAILURE(recordStuckPitch(path));
+    open(path);
+    EXPECT_FALSE(at(0.5).seen().isEmpty());
+    const Strip later = at(10.0);
+    EXPECT_TRUE(later.seen().isEmpty());
+    EXPECT_EQ(later.whyNothing(), SectionStart::Suspected);
+}
+
 TEST_F(StripOfSession, bothSidesOfARecordedDriveDiffer)
 {
     open(TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts");

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -67,6 +69,47 @@ TEST(Odometry, seesACurveFromAbove)
         << "over the jump at half a turn";
     EXPECT_NEAR(odometry.now().planX, 1.0, 1e-4) << "a quarter of a circle of 1 m";
     EXPECT_NEAR(odometry.now().planY, 1.0, 1e-4);
+}
+
+TEST(Odometry, aFlickerWhileStandingIsNoWay)
+{
+    Odometry odometry(absolem(), {.travelled = 4.217});
+    odometry.add({.travelled = 4.518});
+    const double driven = odometry.now().way;
+    for (int k = 0; k < 900; ++k) {  // 45 s of a probe
+        const double digit =
+            1e-3 * std::array{0.0, 1.0, 0.0, -1.0}.at(static_cast<std::size_t>(k % 4));
+        odometry.add({.travelled = 4.518 + digit});
+    }
+    EXPECT_LE(odometry.now().way - driven, 0.001 + 1e-9) << "one count at most";
+    EXPECT_NEAR(odometry.now().rolled.x, 0.302, 1e-9);
+    odometry.add({.travelled = 4.818});
+    EXPECT_NEAR(odometry.now().way, 0.601, 1e-9);
+}
+
+TEST(Odometry, aWayBackCountsAsAWhole)
+{
+    Odometry odometry(absolem(), {.travelled = 1.0});
+    for (const double travelled : {1.3, 1.299, 1.298, 1.297, 1.296, 1.2})
+        odometry.add({.travelled = travelled});
+    EXPECT_NEAR(odometry.now().rolled.x, 0.2, 1e-12);
+    EXPECT_NEAR(odometry.now().way, 0.4, 1e-12);
+}
+
+TEST(Odometry, oneDirectionCountsLineByLine)
+{
+    for (const double direction : {1.0, -1.0}) {
+        Odometry odometry(absolem(), {.travelled = 0.7});
+        double travelled = 0.7, sum = 0.0;
+        for (int k = 0; k < 50; ++k) {
+            const double next = travelled + direction * 1e-3 * (k % 3);
+            sum += std::abs(next - travelled);
+            travelled = next;
+            odometry.add({.travelled = travelled});
+            EXPECT_EQ(odometry.now().way, sum) << "bit for bit";
+            EXPECT_EQ(odometry.now().line.travelled, travelled);
+        }
+    }
 }
 
 TEST(Odometry, rollAddsToTheHeightsSd)

@@ -131,6 +131,7 @@ TEST_F(StripTest, sharedGroundCorrectsTheHeightOfTheWay)
         line.time += 0.1;
         strip.add(line);
         uncorrected.add(line);
+        line.time += 0.5;
         *line.travelled += 0.3;
         strip.add(line);
         uncorrected.add(line);
@@ -268,6 +269,59 @@ TEST_F(StripTest, everyBreakHasItsReason)
         EXPECT_TRUE(words.insert(describe(why).english).second);
         EXPECT_TRUE(names.insert(name(why)).second);
     }
+}
+
+TEST_F(StripTest, aSuspectedPitchTakesNothing)
+{
+    strip.add(line, {{.sensor = Sensor::Pitch}});
+    EXPECT_EQ(strip.whyNothing(), SectionStart::Suspected);
+    strip.add(line);
+    explore(even(-0.25));
+    strip.add(line, {{.sensor = Sensor::Force1}});
+    EXPECT_EQ(strip.whyNothing(), std::nullopt) << "a force places nothing";
+    for (const Sensor sensor : {Sensor::Pitch, Sensor::Travelled}) {
+        const std::size_t sections = strip.sections().size();
+        strip.add(line, {{.sensor = sensor}});
+        EXPECT_EQ(strip.whyNothing(), SectionStart::Suspected);
+        explore(even(-0.30));
+        EXPECT_EQ(strip.sections().size(), sections) << "the estimate has no place";
+        EXPECT_TRUE(strip.seen().isEmpty());
+        strip.add(line);
+        explore(even(-0.25));
+        ASSERT_EQ(strip.sections().size(), sections + 1);
+        EXPECT_EQ(strip.sections().back().why, SectionStart::Suspected);
+    }
+}
+
+TEST_F(StripTest, aSuspectedPitchHidesNoMissingOdometry)
+{
+    strip.add(line, {{.sensor = Sensor::Pitch}});
+    line.travelled.reset();
+    strip.add(line);
+    EXPECT_EQ(strip.whyNothing(), SectionStart::NoOdometry);
+}
+
+TEST_F(StripTest, aRestartedOdometryBreaksTheWay)
+{
+    drive(-4.7);
+    explore(even(-0.25));
+    line.time += 0.05;
+    line.travelled = 0.0;
+    strip.add(line);
+    EXPECT_EQ(strip.whyNothing(), SectionStart::OdometryJump) << "0.3 m in 50 ms";
+}
+
+TEST_F(StripTest, aDriveThroughLostTelemetryIsNoJump)
+{
+    explore(even(-0.25));
+    line.time += 0.9;
+    *line.travelled += 0.54;
+    strip.add(line);
+    EXPECT_EQ(strip.whyNothing(), std::nullopt) << "0.6 m/s";
+    line.time += 0.05;
+    *line.travelled += 0.17;
+    strip.add(line);
+    EXPECT_EQ(strip.whyNothing(), std::nullopt) << "it tips over an edge";
 }
 
 TEST_F(StripTest, anEstimateThatComesAfterABreakBelongsBefore)

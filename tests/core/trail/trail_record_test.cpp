@@ -297,9 +297,26 @@ TEST_F(TrailRecordTest, ExploringAgainInPlaceKeepsTheReading)
     record.addScene(press());
     record.addArm(press(), {.bin = 10, .height = -0.6, .sd = 0.01, .side = ProbeSide::Left});
     record.addScene(pressFlat());
+    EXPECT_EQ(record.armHere().size(), 1U);
     drive(0.1, 0.01);
     const TrailHistory history = record.before(line);
     EXPECT_NEAR(history.ground[1].armHeight[9], -0.6, 1e-6);
+    record.addScene(pressFlat());
+    EXPECT_TRUE(record.armHere().empty()) << "that scene was not probed";
+}
+
+TEST_F(TrailRecordTest, ExploringAgainTurnedDropsTheReading)
+{
+    drive(0.6);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.6, .sd = 0.01, .side = ProbeSide::Left});
+    *line.turned += 0.05;  // 4 cm sideways at the reading
+    record.addScene(pressFlat());
+    EXPECT_TRUE(record.armHere().empty());
+    *line.turned -= 0.05;
+    drive(0.1, 0.01);
+    const TrailHistory history = record.before(line);
+    EXPECT_EQ(history.ground[1].armSd[9], 0.0);
 }
 
 TEST_F(TrailRecordTest, AnUncertainHeightIsNotFelt)
@@ -391,6 +408,47 @@ TEST_F(TrailRecordTest, ABreakForgets)
     EXPECT_EQ(record.why(), SectionStart::NoOdometry);
     EXPECT_EQ(record.length(), 0.0);
     EXPECT_EQ(record.before(line).way, 0.0);
+}
+
+TEST_F(TrailRecordTest, ARestartedOdometryForgets)
+{
+    drive(-1.7);
+    record.addScene(pressFlat());
+    record.addArm(pressFlat(), {.bin = 10, .height = -0.6, .sd = 0.01});
+    line.time += 0.05;
+    line.travelled = 0.0;  // from 0.3 m
+    record.add(line);
+    EXPECT_EQ(record.why(), SectionStart::OdometryJump);
+    drive(0.1, 0.01);
+    const TrailHistory history = record.before(line);
+    EXPECT_NEAR(history.way, 0.1, 1e-9);
+    for (const TrailGround& ground : history.ground) {
+        EXPECT_TRUE(feelsNothing(ground));
+        EXPECT_EQ(ground.armSd[9], 0.0);
+    }
+}
+
+TEST_F(TrailRecordTest, AFlickerWhileStandingForgetsNothing)
+{
+    drive(0.6);
+    record.addScene(pressFlat());
+    record.addArm(pressFlat(), {.bin = 10, .height = -0.6, .sd = 0.01});
+    TrailRecord still = record;
+    for (int k = 0; k < 900; ++k) {  // 45 s of a probe; the odometry counts in millimetres
+        line.time += 0.05;
+        still.add(line);
+        Measurement flickering = line;
+        *flickering.travelled += k % 2 == 0 ? 1e-3 : -1e-3;
+        record.add(flickering);
+    }
+    line.time += 0.05;
+    *line.travelled += 0.1;
+    record.add(line);
+    still.add(line);
+    const TrailHistory history = record.before(line), expected = still.before(line);
+    EXPECT_EQ(history.presses, 1);
+    EXPECT_FALSE(feelsNothing(history.ground[0]));
+    EXPECT_NEAR(history.ground[0].armSd[9], expected.ground[0].armSd[9], 1e-3);
 }
 
 TEST_F(TrailRecordTest, MoreTelemetryTellsTheSame)

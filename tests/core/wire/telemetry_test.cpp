@@ -175,6 +175,14 @@ TEST_F(Wire, sendsAWayBeyondItsSignalAsNotMeasured)
     EXPECT_FALSE(overTheWire(m)->turned);
 }
 
+TEST_F(Wire, sendsAWayWithoutAHeadingAsNotMeasured)
+{
+    Measurement m = everythingMeasured();
+    m.turned.reset();
+    EXPECT_FALSE(overTheWire(m)->travelled) << "a heading of 0 would say that it never turns";
+    EXPECT_FALSE(overTheWire(m)->turned);
+}
+
 TEST_F(Wire, clampsValuesBeyondTheirSignal)
 {
     Measurement m = everythingMeasured();
