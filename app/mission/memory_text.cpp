@@ -15,6 +15,12 @@ Message remembered(const TrailHistory& memory)
             memory.presses};
 }
 
+/// Names the reason why only what the arm measured earlier counts.
+Message armAlone(const Message& why)
+{
+    return {TR_NOOP("terratact::Estimation", "no memory but of the arm: %1"), why};
+}
+
 }  // namespace
 
 Message noMemory(const Message& why)
@@ -36,9 +42,9 @@ Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory
 {
     if (estimate.side[0].settings.method != Method::Trail || !memory) return {};
     if (estimate.side[0].missing.any() || estimate.side[1].missing.any())
-        return noMemory(TR_NOOP("terratact::Estimation", "a current or a force was not measured"));
+        return armAlone(TR_NOOP("terratact::Estimation", "a current or a force was not measured"));
     if (isForgotten(estimate.side[0]))
-        return noMemory(TR_NOOP("terratact::Estimation", "the networks do not know such a pose"));
+        return armAlone(TR_NOOP("terratact::Estimation", "the networks do not know such a pose"));
     return remembered(*memory);
 }
 

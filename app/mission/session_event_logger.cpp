@@ -91,9 +91,10 @@ void SessionEventLogger::logEstimate(bool second)
     row.scene = scene_;
     row.model = model_;
     row.readings = estimation.readings();
-    row.role = second               ? EstimateRole::Second
-             : row.readings.empty() ? EstimateRole::First
-                                    : EstimateRole::Again;
+    if (estimate_ == 0 && !second) earlierReadings_ = row.readings;
+    row.role = second                           ? EstimateRole::Second
+             : row.readings == earlierReadings_ ? EstimateRole::First
+                                                : EstimateRole::Again;
     row.seconds = second ? 0.0 : estimation.seconds();
     row.stepLimit = exploration_.options().stepLimit;
     row.estimate = second ? *estimation.second() : *estimation.estimate();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/display/event_severity.h"
 #include "app/link/panel_reader.h"
@@ -55,6 +56,8 @@ private:
     std::shared_ptr<SessionRecorder> recorder_;
     Exploration& exploration_;
     std::int64_t model_ = 0, scene_ = 0, estimate_ = 0, proposal_ = 0;  ///< ids; 0: none
+    /// Of the scene's first estimate: the arm measured them at an earlier press in place.
+    std::vector<ArmReading> earlierReadings_;
     std::optional<AtemPhase> phase_;
     LinkAccount link_;
     std::string loggedLink_;  ///< subject of the last event; empty: none

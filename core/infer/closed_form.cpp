@@ -68,7 +68,7 @@ TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception&
     estimate.novelty = prediction.novelty;
     GaussianMixture& distribution = prediction.distribution;
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
-    addEarlierArm(measured, prediction.earlier);
+    addEarlierArm(measured, prediction.earlier, prediction.contact.has_value());
     const auto hazards =
         applyMeasurements(distribution, 0, std::move(measured), prediction.contact, estimate);
     warnIfNovel(estimate);

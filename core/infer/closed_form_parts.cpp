@@ -124,11 +124,13 @@ GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& samp
     return mixture;
 }
 
-void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier)
+void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier, bool usesContacts)
 {
-    for (std::size_t i = 0; i < kBins; ++i)
-        if (earlier.arm[i] && !(measured.bin[i] && measured.bin[i]->origin == Origin::Arm))
-            measured.bin[i] = earlier.arm[i];
+    for (std::size_t i = 0; i < kBins; ++i) {
+        const auto& now = measured.bin[i];
+        const bool isNow = now && (usesContacts || now->origin == Origin::Arm);
+        if (earlier.arm[i] && !isNow) measured.bin[i] = earlier.arm[i];
+    }
 }
 
 void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,

@@ -23,8 +23,9 @@ void requireClosedForm(const Settings& settings);
 GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& sample);
 
 /// Adds the heights that the arm measured earlier to bins that it did not measure now. A contact
-/// gives way. Their origin is Sampled: the present scene did not measure them.
-void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier);
+/// stays where the form conditions on contacts, else it gives way. Their origin is Sampled: the
+/// present scene did not measure them.
+void addEarlierArm(MeasuredBins& measured, const EarlierTouch& earlier, bool usesContacts);
 
 /// Turns bins into Touch::Remembered by addRemembered(). robot: of the plane; s: of the scene there.
 void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,

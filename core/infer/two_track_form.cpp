@@ -124,7 +124,8 @@ TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings
         TerrainEstimate& own = estimate.side[numberOf(side)];
         MeasuredBins measured =
             measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings);
-        addEarlierArm(measured, prediction.earlier[numberOf(side)]);
+        addEarlierArm(measured, prediction.earlier[numberOf(side)],
+                      prediction.contact[numberOf(side)].has_value());
         hazards[numberOf(side)] =
             applyMeasurements(distribution, firstOf(side), std::move(measured),
                               prediction.contact[numberOf(side)], own);

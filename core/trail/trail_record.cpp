@@ -223,19 +223,19 @@ std::optional<WayPose> TrailRecord::poseAt(const Measurement& scene) const
     return way.now();
 }
 
-/// Returns true if the ground of a press lies aside of a later pose, by more than half a flipper's width.
-bool TrailRecord::isAside(const Press& press, const WayPose& pose) const
+/// Returns true if the ground at one pose lies aside of a later one, by more than half a flipper's width.
+bool TrailRecord::isAside(const WayPose& then, const WayPose& now) const
 {
-    return sidewaysOf(press.pose, pose, robot_.lateral.flipperY)
-         > 0.5 * robot_.lateral.flipperWidth;
+    return sidewaysOf(then, now, robot_.lateral.flipperY) > 0.5 * robot_.lateral.flipperWidth;
 }
 
-/// Returns true if the robot has not tilted or turned since a press at the same place.
-bool TrailRecord::standsAt(const Press& press, const Measurement& scene, const WayPose& pose) const
+/// Returns true if the robot has not moved, tilted or turned since the arm measured. Small steps add up.
+bool TrailRecord::standsAt(const ArmPlace& place, const Measurement& scene,
+                           const WayPose& pose) const
 {
-    const OdometryLine& then = press.at.line;
-    return scene.turned && std::abs(then.pitch - scene.pitch) < kSameTilt
-        && std::abs(then.roll - scene.roll) < kSameTilt && !isAside(press, pose);
+    return scene.turned && std::abs(pose.way - place.pose.way) < kStep
+        && std::abs(place.pitch - scene.pitch) < kSameTilt
+        && std::abs(place.roll - scene.roll) < kSameTilt && !isAside(place.pose, pose);
 }
 
 void TrailRecord::addScene(const Measurement& scene)
@@ -257,7 +257,11 @@ void TrailRecord::addScene(const Measurement& scene)
     }
     if (hasBothSides(scene)) press.pressed[0] = common(press.pressed[1], press.pressed[2]);
     if (!presses_.empty() && std::abs(pose->way - presses_.back().pose.way) < kStep) {
-        if (standsAt(presses_.back(), scene, *pose)) press.arm = std::move(presses_.back().arm);
+        Press& before = presses_.back();
+        if (before.armAt && standsAt(*before.armAt, scene, *pose)) {
+            press.arm = std::move(before.arm);
+            press.armAt = before.armAt;
+        }
         presses_.pop_back();
         std::erase_if(places_, [&](const Place& place) {
             return place.isScene && std::abs(place.way - pose->way) < kStep;
@@ -277,6 +281,7 @@ void TrailRecord::addArm(const Measurement& scene, const ArmReading& reading)
         return other.bin == reading.bin && other.side == reading.side;
     });
     press.arm.push_back(reading);
+    if (!press.armAt) press.armAt = ArmPlace{*pose, scene.pitch, scene.roll};
 }
 
 std::vector<ArmReading> TrailRecord::armHere() const
@@ -288,6 +293,7 @@ void TrailRecord::forgetFelt()
 {
     for (Press& press : presses_) {
         press.arm.clear();
+        press.armAt.reset();
         for (auto& stretches : press.pressed) stretches.clear();
     }
 }
@@ -368,7 +374,7 @@ std::optional<TrailRecord::Carried> TrailRecord::carried(const Press& press, dou
     to.dz = press.pose.imu.z - pose.imu.z;
     to.sd = carriedSd(to.since, kSlopes);
     to.slip = std::abs(to.since.slipForward);
-    if (to.sd > kRememberedSd || isAside(press, pose)) return std::nullopt;
+    if (to.sd > kRememberedSd || isAside(press.pose, pose)) return std::nullopt;
     return to;
 }
 

@@ -95,6 +95,11 @@ private:
         double x = 0.0, z = 0.0, force = 0.0;
     };
     using Elements = std::array<Element, std::size_t{kForceElements}>;
+    /// Where the robot stood when the arm measured.
+    struct ArmPlace {
+        WayPose pose;
+        double pitch = 0.0, roll = 0.0;  ///< [rad]
+    };
     struct Press {
         WayPose pose;
         ReckonedState at;
@@ -102,6 +107,7 @@ private:
         std::array<Elements, kTrailPlanes> elements{};
         std::array<std::vector<GroundStretch>, kTrailPlanes> pressed{};  ///< from the IMU [m]
         std::vector<ArmReading> arm{};
+        std::optional<ArmPlace> armAt{};  ///< of its first reading; empty without readings
         bool isAhead =
             false;  ///< the robot has driven back from there: the arm's readings alone count
     };
@@ -109,8 +115,8 @@ private:
     /// Returns true if a press is part of the history of a later pose.
     static bool isBefore(const Press& press, const Measurement& scene, const WayPose& pose,
                          double reach);
-    bool isAside(const Press& press, const WayPose& pose) const;
-    bool standsAt(const Press& press, const Measurement& scene, const WayPose& pose) const;
+    bool isAside(const WayPose& then, const WayPose& now) const;
+    bool standsAt(const ArmPlace& place, const Measurement& scene, const WayPose& pose) const;
     std::optional<WayPose> poseAt(const Measurement& scene) const;
     Place placeOf(const WayPose& pose, const Measurement& line, bool isScene) const;
     void forgetAfterBreak();

@@ -7503,6 +7503,10 @@ F1</translation>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>no memory but of the arm: %1</source>
+        <translation>kein Gedächtnis außer dem des Arms: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EventList</name>

@@ -157,7 +157,7 @@ TEST_F(OneGround, AMissingCurrentKeepsTheMemoryUnused)
     change = [](Measurement& line) { line.missing[kFrontCurrentFeature] = true; };
     driveBy(0.6);
     ASSERT_TRUE(explore()) << eventText();
-    EXPECT_EQ(memory(), "no memory: a current or a force was not measured");
+    EXPECT_EQ(memory(), "no memory but of the arm: a current or a force was not measured");
 }
 
 TEST_F(OneGround, ForgettingForgetsTheWay)
@@ -260,6 +260,7 @@ SessionReader recorded(SimulatedExploration& bench, const std::string& folder)
         EXPECT_TRUE(bench.explore()) << bench.eventText();
         bench.driveBy(0.3);
         exploreAndProbe(bench);
+        EXPECT_TRUE(bench.explore()) << bench.eventText();  // in place: the reading still counts
         for (const double way : {0.1, 0.3}) {
             bench.driveBy(way);
             EXPECT_TRUE(bench.explore()) << bench.eventText();
@@ -278,7 +279,7 @@ void expectRepeated(SessionReader& session)
     models.trail =
         std::make_shared<const TrailModel>(std::move(readTrail(kModels + "default.ttn")->data));
     EXPECT_EQ(session.models().at(0).trailName, "default.ttn");
-    int remembering = 0, probed = 0, afterAProbe = 0;
+    int remembering = 0, probed = 0, probedBefore = 0, afterAProbe = 0;
     for (const EstimateRow& row : session.estimates()) {
         const Settings& settings = row.estimate.side[0].settings;
         remembering += settings.method == Method::Trail ? 1 : 0;
@@ -287,6 +288,7 @@ void expectRepeated(SessionReader& session)
         ASSERT_TRUE(before && again);
         EXPECT_TRUE(isTouchRecorded(before->side[0]) && isTouchRecorded(before->side[1]));
         probed += row.readings.empty() ? 0 : 1;
+        probedBefore += row.role == EstimateRole::First && !row.readings.empty() ? 1 : 0;
         afterAProbe += remembersAProbe(*session.scene(row.scene)) ? 1 : 0;
         const Measurement& scene = session.scene(row.scene)->measurement;
         EXPECT_EQ(differencesBetween(*before, *again, absolem(), scene, row.stepLimit).likeness,
@@ -299,8 +301,9 @@ void expectRepeated(SessionReader& session)
         ASSERT_TRUE(other);
         EXPECT_NE(other->side[0].height, again->side[0].height) << "the memory counts";
     }
-    EXPECT_EQ(remembering, 4);
-    EXPECT_EQ(probed, 1);
+    EXPECT_EQ(remembering, 5);
+    EXPECT_EQ(probed, 2);
+    EXPECT_EQ(probedBefore, 1) << "the first estimate after a press in place";
     EXPECT_GE(afterAProbe, 1) << "the arm's reading is carried along the way";
 }
 

@@ -37,14 +37,14 @@ Settings byTrailWithoutHazards()
 }
 
 /// Returns a history of 0.5 m. On the way the arm measured this height [m], and the flippers felt the bin.
-TrailHistory probedEarlier(double height)
+TrailHistory probedEarlier(double height, std::size_t bin = kProbedBin)
 {
     TrailHistory history = emptyHistory(0.0, 0.0);
     history.way = 0.5;
     for (TrailGround& ground : history.ground) {
-        ground.armHeight[kProbedBin] = height;
-        ground.armSd[kProbedBin] = 0.015;
-        ground.felt[kProbedBin] = kAllCells;
+        ground.armHeight[bin] = height;
+        ground.armSd[bin] = 0.015;
+        ground.felt[bin] = kAllCells;
     }
     return history;
 }
@@ -101,6 +101,27 @@ TEST(TrailForm, aDeadElementKeepsTheReadingOfItsSide)
                         - before.side.at(side).height[kProbedBin]);
     };
     EXPECT_LT(moved(1), moved(0)) << "the right side was not probed";
+}
+
+TEST(TrailForm, aContactStaysWhereTheArmMeasuredEarlier)
+{
+    int contacts = 0;
+    for (const Scene& scene : someScenes(20, 77)) {
+        const auto estimate = [&scene](const TrailHistory* history) {
+            return estimateTerrain(scene.s, {}, absolem(), modelsWithoutNetworks(),
+                                   byTrailWithoutHazards(), {}, history);
+        };
+        const TerrainEstimate before = estimate(nullptr);
+        for (std::size_t i = 0; i < kBins; ++i) {
+            if (before.origin[i] != Origin::Contact) continue;
+            ++contacts;
+            const TrailHistory history = probedEarlier(before.height[i] - 0.1, i);
+            const TerrainEstimate after = estimate(&history);
+            EXPECT_EQ(after.origin[i], Origin::Contact);
+            EXPECT_EQ(after.height[i], before.height[i]);
+        }
+    }
+    EXPECT_GT(contacts, 0);
 }
 
 TEST(TrailForm, localAloneUsesNoMemory)

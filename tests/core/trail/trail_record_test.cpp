@@ -305,6 +305,19 @@ TEST_F(TrailRecordTest, ExploringAgainInPlaceKeepsTheReading)
     EXPECT_TRUE(record.armHere().empty()) << "that scene was not probed";
 }
 
+TEST_F(TrailRecordTest, SmallStepsAddUpAndDropTheReading)
+{
+    drive(0.6);
+    record.addScene(press());
+    record.addArm(press(), {.bin = 10, .height = -0.6, .sd = 0.01, .side = ProbeSide::Left});
+    drive(0.012, 0.012);
+    record.addScene(pressFlat());
+    EXPECT_EQ(record.armHere().size(), 1U);
+    drive(0.012, 0.012);
+    record.addScene(pressFlat());
+    EXPECT_TRUE(record.armHere().empty()) << "2.4 cm from where the arm measured";
+}
+
 TEST_F(TrailRecordTest, ExploringAgainTurnedDropsTheReading)
 {
     drive(0.6);
