@@ -128,7 +128,7 @@ Status writeTrail(const std::string& path, const TrailData& data)
     const TrailModel valid(data);
     if (!valid.hasPlane() && !valid.hasSides())
         throw std::invalid_argument("writeTrail: no network");
-    Result<NewFile> file = NewFile::begin(path);
+    Result<NewFile> file = NewFile::begin(path, Access::Everybody);
     if (!file) return file.error();
     try {
         fillTrail(file->temporaryPath(), data);

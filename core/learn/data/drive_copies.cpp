@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -39,14 +38,19 @@ DriveMarks driveMarks(const DriveLines& drive)
     return {marks.begin(), marks.end()};
 }
 
-bool DriveCopies::contains(const DriveMarks& marks) const
+std::map<std::size_t, std::size_t> DriveCopies::sharedBy(const DriveMarks& marks) const
 {
-    std::map<std::size_t, std::size_t> shared;  // marks that an earlier drive has, too
+    std::map<std::size_t, std::size_t> shared;
     for (const std::uint32_t mark : marks) {
         const auto [first, last] = drivesOf_.equal_range(mark);
         for (auto known = first; known != last; ++known) ++shared[known->second];
     }
-    return std::ranges::any_of(shared, [&](const auto& of) {
+    return shared;
+}
+
+bool DriveCopies::contains(const DriveMarks& marks) const
+{
+    return std::ranges::any_of(sharedBy(marks), [&](const auto& of) {
         return 2 * of.second >= std::min(marks.size(), drives_[of.first].size());
     });
 }
@@ -60,7 +64,9 @@ void DriveCopies::add(DriveMarks marks)
 bool DriveCopies::isCopy(const DriveLines& drive)
 {
     DriveMarks marks = driveMarks(drive);
-    if (contains(marks)) return true;
+    const auto shared = sharedBy(marks);
+    if (std::ranges::any_of(shared, [&](const auto& of) { return 2 * of.second >= marks.size(); }))
+        return true;
     if (!marks.empty()) add(std::move(marks));
     return false;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -22,11 +23,12 @@ DriveMarks driveMarks(const DriveLines& drive);
 /// copy in training would make the errors of the drives that are kept for them too small.
 class DriveCopies {
 public:
-    /// Returns true if an earlier drive has at least half of the marks of the shorter one of both. Otherwise
-    /// remembers the drive. A drive without scenes is no copy, and nothing to remember.
+    /// Returns true if an earlier drive has at least half of this drive's marks. Otherwise remembers the
+    /// drive. A drive without scenes is no copy, and nothing to remember.
     bool isCopy(const DriveLines& drive);
 
-    /// Returns the same for marks, and remembers nothing.
+    /// Returns true if an earlier drive shares at least half of the marks of the shorter one of both: one
+    /// was then cut from the other. Remembers nothing.
     bool contains(const DriveMarks& marks) const;
     /// Remembers a drive by its marks.
     void add(DriveMarks marks);
@@ -35,6 +37,9 @@ public:
     const std::vector<DriveMarks>& drives() const { return drives_; }
 
 private:
+    /// Returns the number of these marks that each earlier drive has, too.
+    std::map<std::size_t, std::size_t> sharedBy(const DriveMarks& marks) const;
+
     std::vector<DriveMarks> drives_;
     std::unordered_multimap<std::uint32_t, std::size_t> drivesOf_;  ///< of a mark
 };

@@ -45,6 +45,16 @@ TEST(DriveCopies, keepsDrivesThatDiffer)
     EXPECT_FALSE(copies.isCopy(without));
 }
 
+TEST(DriveCopies, keepsADriveAfterAnExcerptOfIt)
+{
+    DriveCopies copies;
+    DriveLines begin = someDrive(0.1);
+    begin.lines.resize(4);
+    EXPECT_FALSE(copies.isCopy(begin));
+    EXPECT_TRUE(copies.contains(driveMarks(someDrive(0.1))));
+    EXPECT_FALSE(copies.isCopy(someDrive(0.1))) << "two of its three scenes are new";
+}
+
 TEST(DriveCopies, knowsADriveWithOtherLines)
 {
     DriveCopies copies;
