@@ -15,7 +15,9 @@ SharedStop::SharedStop(Exploration& exploration, QObject* parent)
 void SharedStop::listen()
 {
     if (exploration_.following()) return;
-    auto line = StopLine::listen(stopLineName());
+    auto line = stopLineName().empty() ? Result<StopLine>(Error{TR_NOOP(
+                    "terratact::SharedStop", "no folder can be made for it in TMPDIR or /tmp")})
+                                       : StopLine::listen(stopLineName());
     if (line)
         line_.emplace(std::move(*line));
     else

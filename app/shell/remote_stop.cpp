@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <cerrno>
+#include <memory>
 #include <utility>
 
 #include "app/display/format.h"
@@ -13,12 +14,26 @@ namespace {
 
 constexpr int kPollAnswer = 20;  // [ms]
 
+/// Makes a folder for a socket, whose path must be short. Null: none of the places allows it.
+std::unique_ptr<QTemporaryDir> socketFolder()
+{
+    constexpr int kMostLetters = 90;
+    for (const QString& place :
+         {qEnvironmentVariable("XDG_RUNTIME_DIR"), QDir::tempPath(), QStringLiteral("/tmp")}) {
+        if (place.isEmpty() || place.toUtf8().size() > kMostLetters - 20) continue;
+        auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/terratact-XXXXXX"));
+        if (folder->isValid()) return folder;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 const std::string& stopLineName()
 {
-    static const QTemporaryDir kFolder(QDir::temp().filePath(QStringLiteral("terratact-XXXXXX")));
-    static const std::string kName = kFolder.filePath(QStringLiteral("stop")).toStdString();
+    static const std::unique_ptr<QTemporaryDir> kFolder = socketFolder();
+    static const std::string kName =
+        kFolder ? kFolder->filePath(QStringLiteral("stop")).toStdString() : std::string();
     return kName;
 }
 

@@ -11410,6 +11410,10 @@ F1</translation>
         <source>STOP HAS NO EFFECT HERE: %1</source>
         <translation>STOP TU NEPŮSOBÍ: %1</translation>
     </message>
+    <message>
+        <source>no folder can be made for it in TMPDIR or /tmp</source>
+        <translation>v TMPDIR ani /tmp pro to nelze vytvořit složku</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalList</name>

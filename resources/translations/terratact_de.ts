@@ -11409,6 +11409,10 @@ F1</translation>
         <source>STOP HAS NO EFFECT HERE: %1</source>
         <translation>STOP WIRKT HIER NICHT: %1</translation>
     </message>
+    <message>
+        <source>no folder can be made for it in TMPDIR or /tmp</source>
+        <translation>dafür lässt sich in TMPDIR oder /tmp kein Ordner anlegen</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SignalList</name>
