@@ -57,7 +57,8 @@ public:
         McapSchema schema{.name = keptName(in.text()), .encoding = keptName(in.text()), .text = {}};
         const std::string_view text = in.text();
         if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMost) return Done{};
-        const auto kept = texts_.keep(schema.name, text);
+        const bool isDecoded = schema.encoding == "ros1msg" || schema.encoding == "ros2msg";
+        const auto kept = texts_.keep(schema.name, isDecoded ? text : std::string_view());
         if (kept) schema.text = *kept;
         schemas_.emplace(id, std::move(schema));
         return kept ? Status(Done{}) : kept.error();
