@@ -63,7 +63,8 @@ The terrain picture draws remembered ground behind, under and ahead of the robot
 band without marks, dotted where the ground was bounded or felt in part. Its standard deviation stands beside it. While an estimate stands,
 only the ground behind it is drawn. Ground that was not felt is not drawn, nor ground with an sd above 0.15 m. Remembered ground decides
 nothing: the verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot
-again.
+again. Behind the strip stand up to eight sections from before a break, thin and grey. Each lies behind a gap with a dashed rule and the
+reason. They have no known place relative to the robot. A review begins its strip 10 to 15 min before the moment that it shows; older ground is missing there.
 
 ## Export
 
@@ -82,7 +83,7 @@ again.
 
 `--out strip.ply` writes a point cloud, PLY in ASCII. Each vertex has `float x y z` in metres, which CloudCompare, MeshLab, PCL and RViz (by
 PCL) expect, with z up. `sd`, `time`, `side` (0 left, 1 right), `felt` (0 arm to 6 not recorded) and `section` are further properties.
-Sections have frames of their own; `--section 2` writes one alone.
+The strip does not hold where one section lies from another. So the cloud lays them 1 m apart along x; `--section 2` writes one in its own frame.
 
 `--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands. Each piece has 6 m, equal axes and a scale. The sides
 differ by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -50,6 +51,22 @@ std::string csvLineOf(const StripPoint& p, const Strip& strip)
                     p.source->estimate});
 }
 
+/// Moves the sections along x, so that each begins kSectionGap ahead of the end of the one before.
+void laySectionsApart(std::vector<StripPoint>& points)
+{
+    std::optional<double> end;
+    for (auto first = points.begin(); first != points.end();) {
+        const auto last = std::find_if(first, points.end(), [&](const StripPoint& point) {
+            return point.section != first->section;
+        });
+        const auto [rear, front] = std::minmax_element(
+            first, last, [](const StripPoint& a, const StripPoint& b) { return a.x < b.x; });
+        const double shift = end ? *end + kSectionGap - rear->x : 0.0;
+        end = front->x + shift;
+        for (; first != last; ++first) first->x += shift;
+    }
+}
+
 constexpr std::string_view kPlyProperties = "property float x\n"
                                             "property float y\n"
                                             "property float z\n"
@@ -88,7 +105,8 @@ std::string ledgerText(const StripLedger& ledger)
 
 std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<int> section)
 {
-    const std::vector<StripPoint> points = pointsOfSection(strip, robot, section);
+    std::vector<StripPoint> points = pointsOfSection(strip, robot, section);
+    laySectionsApart(points);
     std::string vertices;
     for (const StripPoint& p : points)
         vertices += fmt::format("{} {} {} {} {:.3f} {} {} {}\n", metres(p.x), metres(p.y),
@@ -98,9 +116,9 @@ std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<
         "ply\n"
         "format ascii 1.0\n"
         "comment strip of felt ground: metres, x forward, y left, z up, time in s\n"
-        "comment each section has a frame of its own, at the IMU of its first scene\n"
+        "comment sections are laid {:.0f} m apart along x: the strip holds no place between them\n"
         "element vertex {}\n{}{}",
-        points.size(), kPlyProperties, vertices);
+        kSectionGap, points.size(), kPlyProperties, vertices);
 }
 
 }  // namespace terratact

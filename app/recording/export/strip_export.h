@@ -8,6 +8,8 @@
 
 namespace terratact {
 
+inline constexpr double kSectionGap = 1.0;  ///< [m] along x, between two sections of a point cloud
+
 /// Returns a strip as CSV, a line for each bin of each side. StripSource::time is written as time_s. Columns:
 ///   section, start   number from 1, and why it begins (core/strip/strip_section.h)
 ///   side, one_plane  left or right; 1 if the estimate was of one plane
@@ -29,7 +31,9 @@ std::string ledgerText(const StripLedger& ledger);
 
 /// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]
 /// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1
-/// right), felt (order of FeltBy), section. Each section has a frame of its own. section: as above.
+/// right), felt (order of FeltBy), section. Only the first section written keeps that frame. The strip
+/// does not hold where a later section lies from the one before. Each is moved along x alone, to begin kSectionGap
+/// ahead of the end of the one before. A comment in the file states it. section: as above.
 std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
 }  // namespace terratact

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -53,6 +55,21 @@ TEST_F(StripExport, plyHasAVertexForEachBin)
     EXPECT_EQ(second[4], "element vertex 22");
     EXPECT_EQ(second[14].back(), '2');
     EXPECT_THROW(stripPly(strip, robot, 3), std::invalid_argument);
+}
+
+TEST_F(StripExport, plyLaysSectionsApart)
+{
+    const auto ply = lines(stripPly(strip, robot));
+    EXPECT_NE(ply[3].find("sections are laid 1 m apart along x"), std::string::npos) << ply[3];
+    constexpr std::size_t kFirst = 14, kOfSection = 2 * kBins;
+    double end = -1e9, begin = 1e9;
+    for (std::size_t k = 0; k < kOfSection; ++k) {
+        end = std::max(end, std::stod(ply.at(kFirst + k)));
+        begin = std::min(begin, std::stod(ply.at(kFirst + kOfSection + k)));
+    }
+    EXPECT_NEAR(begin - end, kSectionGap, 1e-4);
+    EXPECT_EQ(lines(stripPly(strip, robot, 2)).at(kFirst).substr(0, 8), "-0.3000 ")
+        << "one section alone keeps its frame";
 }
 
 TEST(LedgerText, namesTheTouches)
