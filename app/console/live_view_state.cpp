@@ -36,6 +36,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));
     viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.remembered = estimation.remembered();
+    viewState.earlier = estimation.strip().earlier();
     viewState.whyNothingRemembered =
         translated(estimation.whyNothingRemembered().value_or(Message()));
     viewState.verdict = estimation.verdict();

@@ -94,8 +94,9 @@ struct TerrainViewState {
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate
     PastDrawing past{};    ///< drawn instead of `estimate`
     QString whyNoEstimate{};
-    SeenStrip remembered{};          ///< ground that was felt along the way
-    QString whyNothingRemembered{};  ///< reason that nothing is; empty: none to show
+    SeenStrip remembered{};                 ///< ground that was felt along the way
+    std::vector<EarlierSection> earlier{};  ///< ground that was felt before a break, newest first
+    QString whyNothingRemembered{};         ///< reason that nothing is; empty: none to show
     std::optional<TwoTrackVerdict> verdict{};
 
     AtemState state{};

@@ -262,6 +262,7 @@ bool TerrainPage::showPast(const TerrainViewState& viewState)
         shownCount_ = 0;
         terrain_->setSecond(std::nullopt, {});
         terrain_->setRemembered({}, {});
+        terrain_->setEarlier({});
         if (past) {
             terrain_->setEstimate(*viewState.past.estimate, viewState.past.note);
             strip_->setNothing(tr("an estimate of the past"));
@@ -293,6 +294,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         strip_->setNothing(QString());
     }
     terrain_->setRemembered(viewState.remembered, viewState.whyNothingRemembered);
+    terrain_->setEarlier(viewState.earlier);
     if (shownSecond_ != second) {
         shownSecond_ = second;
         terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,

@@ -140,6 +140,7 @@ void ReviewViewState::addRemembered(TerrainViewState& viewState, const ReviewMom
     ReviewStrip::ViewState found = strip_.at(moment);
     const bool isFresh = isTelemetryFresh(moment);
     if (isFresh) viewState.remembered = std::move(found.seen);
+    viewState.earlier = std::move(found.earlier);
     viewState.whyNothingRemembered =
         translated(nothingRememberedWords(found.why, isFresh).value_or(Message()));
     const EstimateRow* const row = moment.estimate.get();

@@ -33,7 +33,7 @@ ReviewStrip::ViewState ReviewStrip::at(const ReviewMoment& moment)
     goTo(moment.time);
     const Strip& strip = followed_.back().strip();
     const bool isWhole = from_ < 0;
-    return {strip.seen(), strip.whyNothing(),
+    return {strip.seen(), strip.earlier(), strip.whyNothing(),
             isWhole ? std::optional(strip.ledger()) : std::nullopt};
 }
 

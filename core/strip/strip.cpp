@@ -295,6 +295,32 @@ SeenStrip Strip::seen() const
     return seen;
 }
 
+EarlierSection Strip::earlierOf(const StripSection& section, SectionStart next) const
+{
+    EarlierSection earlier{.next = next};
+    for (const auto& [index, column] : section.columns)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::optional<StripBin>& bin = column.at(side);
+            if (!bin) continue;
+            earlier.onePlane = earlier.onePlane && source(*bin).onePlane;
+            earlier.side.at(side).push_back(
+                {index * kBinWidth, bin->band.height, bin->band.sd, bin->felt});
+        }
+    return earlier;
+}
+
+std::vector<EarlierSection> Strip::earlier() const
+{
+    std::vector<EarlierSection> earlier;
+    std::optional<SectionStart> next = whyNothing();
+    for (auto section = sections_.rbegin(); section != sections_.rend(); ++section) {
+        if (section->segment < cleared_ || earlier.size() == kEarlier) break;
+        if (next) earlier.push_back(earlierOf(*section, *next));
+        next = section->why;
+    }
+    return earlier;
+}
+
 std::optional<SectionStart> Strip::whyNothing() const
 {
     if (sections_.empty()) {

@@ -58,6 +58,23 @@ struct SeenStrip {
     bool operator==(const SeenStrip&) const = default;
 };
 
+/// A bin of a section before a break.
+struct EarlierBin {
+    double x = 0.0;                 ///< [m] its centre, in the section's frame
+    double height = 0.0, sd = 0.0;  ///< [m] in the section's frame, as when it was felt
+    FeltBy felt = FeltBy::Unrecorded;
+    bool operator==(const EarlierBin&) const = default;
+};
+
+/// A section before a break, rear to front, in its own frame (StripSection). Its place relative to the robot and to
+/// other sections is unknown.
+struct EarlierSection {
+    std::array<std::vector<EarlierBin>, 2> side{};  ///< left, right
+    bool onePlane = true;                           ///< every estimate of it was of one plane
+    SectionStart next = SectionStart::Turned;       ///< why the ground after it is not joined to it
+    bool operator==(const EarlierSection&) const = default;
+};
+
 /// A touch of ground that the strip tells of.
 struct StripTouch {
     ScoredBy by = ScoredBy::Contact;
@@ -78,6 +95,7 @@ struct StripTouch {
 class Strip {
 public:
     static constexpr double kContradiction = 3.0;
+    static constexpr std::size_t kEarlier = 8;  ///< most sections of earlier()
 
     explicit Strip(const RobotModel& robot, const StripLimits& limits = {},
                    Fusion fusion = Fusion::FeltFirst);
@@ -98,7 +116,11 @@ public:
     /// Takes out the estimate of the last scene, and what its contacts and passes scored.
     void removeLast();
     /// Begins a new section, because the operator cleared the ground or the model has changed.
-    void endSection() { way_.end(SectionStart::Cleared); }
+    void endSection()
+    {
+        way_.end(SectionStart::Cleared);
+        cleared_ = way_.segment();
+    }
 
     /// Returns the sections, oldest first; each has a column.
     const std::deque<StripSection>& sections() const { return sections_; }
@@ -106,6 +128,9 @@ public:
     const StripSource& source(const StripBin& bin) const;
     /// Returns the present section as seen from the newest line; empty after a break.
     SeenStrip seen() const;
+    /// Returns the sections before the present one, newest first, at most kEarlier. After a break, the last section is
+    /// one of them. Those before endSection() are left out.
+    std::vector<EarlierSection> earlier() const;
     /// Returns a bin of a section as seen from a pose of its segment, without its place.
     HeightBand bandFrom(const StripBin& bin, const StripSection& section,
                         const WayPose& pose) const;
@@ -143,6 +168,7 @@ private:
     void takeOut();
     void dropUnused();
     void dropOldest();
+    EarlierSection earlierOf(const StripSection& section, SectionStart next) const;
     std::size_t columns() const;
 
     RobotModel robot_;
@@ -152,6 +178,7 @@ private:
     std::deque<StripSection> sections_;
     std::deque<StripSource> sources_;  ///< by number
     std::int64_t lastNumber_ = 0;
+    std::int64_t cleared_ = 0;  ///< segment after the last endSection()
     bool isSceneEntered_ = false;
     std::vector<Replaced> replaced_;
     Measurement scene_;  ///< the last one

@@ -12077,6 +12077,14 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>measuring: drag, or ← → (Enter: begin here)</source>
         <translation>měření: táhnout nebo ← → (Enter: začít zde)</translation>
     </message>
+    <message>
+        <source>earlier: %1</source>
+        <translation>dříve: %1</translation>
+    </message>
+    <message>
+        <source>earlier sections of ground behind it: %1</source>
+        <translation>dřívější úseky terénu za ním: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>

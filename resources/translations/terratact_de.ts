@@ -12076,6 +12076,14 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>measuring: drag, or ← → (Enter: begin here)</source>
         <translation>Messen: ziehen oder ← → (Enter: hier beginnen)</translation>
     </message>
+    <message>
+        <source>earlier: %1</source>
+        <translation>früher: %1</translation>
+    </message>
+    <message>
+        <source>earlier sections of ground behind it: %1</source>
+        <translation>frühere Abschnitte des Bodens dahinter: %1</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>

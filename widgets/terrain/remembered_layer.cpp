@@ -17,8 +17,6 @@
 namespace terratact {
 namespace {
 
-constexpr double kNeighbour = 1.5 * kBinWidth;  // [m] farthest bin that a line is drawn to
-
 QPen rememberedPen(FeltBy felt, double width)
 {
     QPen pen(theme().sampled, width, Qt::CustomDashLine, Qt::FlatCap);
@@ -48,7 +46,8 @@ std::vector<std::span<const SeenBin>> runsOf(const std::vector<SeenBin>& bins)
     runs.reserve(bins.size());
     for (std::size_t first = 0; first < bins.size();) {
         std::size_t end = first + 1;
-        while (end < bins.size() && bins[end].x - bins[end - 1].x < kNeighbour) ++end;
+        while (end < bins.size() && bins[end].x - bins[end - 1].x < RememberedLayer::kNeighbour)
+            ++end;
         runs.push_back(std::span(bins).subspan(first, end - first));
         first = end;
     }

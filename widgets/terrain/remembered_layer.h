@@ -16,6 +16,8 @@ namespace terratact {
 class RememberedLayer final : public QwtPlotItem {
 public:
     static constexpr double kMaxSd = 0.15;  ///< [m]
+    /// Farthest bin that a line is drawn to [m].
+    static constexpr double kNeighbour = 1.5 * kBinWidth;
 
     RememberedLayer();
 

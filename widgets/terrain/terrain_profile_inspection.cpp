@@ -12,6 +12,7 @@
 #include "core/infer/verdict/verdict.h"
 #include "widgets/base/drawable.h"
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_text.h"
 #include "widgets/terrain/terrain_items.h"
@@ -147,6 +148,8 @@ void TerrainProfileView::describe()
     lines = measuredLines() + lines;
     if (!staleOverlay_->words.isEmpty()) lines.prepend(tr("not live: no telemetry from the robot"));
     if (const QString note = rememberedNote_->text().text(); !note.isEmpty()) lines << note;
+    if (const auto count = earlier_->count(); count > 0)
+        lines << tr("earlier sections of ground behind it: %1").arg(count);
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }
 

@@ -15,6 +15,7 @@
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/measured_line.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
@@ -142,6 +143,8 @@ void TerrainProfileView::addLayers()
     twoHeights_->attach(this);
     remembered_ = new RememberedLayer;
     remembered_->attach(this);
+    earlier_ = new EarlierLayer;
+    earlier_->attach(this);
     staleOverlay_ = new StaleOverlay;
     staleOverlay_->attach(this);
     measured_ = new MeasuredLine;

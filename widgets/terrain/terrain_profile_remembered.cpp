@@ -8,6 +8,7 @@
 #include "app/display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
+#include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/remembered_layer.h"
 #include "widgets/terrain/terrain_items.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -41,6 +42,15 @@ RememberedNumbers numbersOf(const RememberedLayer& layer)
     return {nearBins > 0 ? nearSum / nearBins : sum / bins, way};
 }
 
+/// Returns the rear end of the strip [m]; that of the robot's picture, if the strip is shorter.
+double rearOf(const SeenStrip& strip)
+{
+    double rear = ProfileAxes::kLeft;
+    for (const auto& side : strip.side)
+        if (!side.empty()) rear = std::min(rear, side.front().x);
+    return rear;
+}
+
 }  // namespace
 
 void TerrainProfileView::setRemembered(const SeenStrip& strip, const QString& why)
@@ -48,9 +58,20 @@ void TerrainProfileView::setRemembered(const SeenStrip& strip, const QString& wh
     if (strip == remembered_->strip() && why == whyNothingRemembered_) return;
     whyNothingRemembered_ = why;
     remembered_->setStrip(strip, estimate_.has_value());
+    earlier_->setRear(rearOf(strip));
     if (isZoomed()) setWindow(axes_.zoom(), axes_.shift(), axes_.rise());
     showRemembered();
     showMeasurement();
+    describe();
+    fitAxes();
+    replot();
+}
+
+void TerrainProfileView::setEarlier(const std::vector<EarlierSection>& sections)
+{
+    if (sections == earlier_->sections()) return;
+    earlier_->setSections(sections);
+    if (isZoomed()) setWindow(axes_.zoom(), axes_.shift(), axes_.rise());
     describe();
     fitAxes();
     replot();

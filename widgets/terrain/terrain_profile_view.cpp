@@ -19,6 +19,7 @@
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
 #include "widgets/terrain/remembered_layer.h"
@@ -150,6 +151,8 @@ bool TerrainProfileView::isFreeAbove(const QRect& place) const
     for (const auto& bins : remembered_->drawn())
         for (const SeenBin& bin : bins)
             if (bin.x >= axes_.left() && bin.x < right && !isBelow(bin.band.q90)) return false;
+    for (const QPointF& point : earlier_->within(axes_.left(), right))
+        if (!isBelow(point.y())) return false;
     return isOutlineBelow(robot_.outline(), right, bottom)
         && isOutlineBelow(farRobot_.outline(), right, bottom);
 }
@@ -375,6 +378,9 @@ bool TerrainProfileView::setScales()
                 if (bin.x < axes_.left() - beyond || bin.x > axes_.right() + beyond) continue;
                 for (const double z : {bin.band.q10, bin.band.q90}) include(z);
             }
+    if (earlier_)
+        for (const QPointF& point : earlier_->within(axes_.left() - beyond, axes_.right() + beyond))
+            include(point.y());
     return axes_.fit(bottom, top,
                      MarkLetters::reserved(font(), canvas()->height(), light() ? 2 : 1));
 }

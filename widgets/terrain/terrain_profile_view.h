@@ -28,6 +28,7 @@ namespace terratact {
 class ArmMark;
 class BinInspector;
 class BinZones;
+class EarlierLayer;
 class LightSide;
 class LineItem;
 class MarkCurve;
@@ -106,10 +107,12 @@ public:
     /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason
     /// shown if nothing is remembered; empty: nothing.
     void setRemembered(const SeenStrip& strip, const QString& why = {});
-    /// Shows `factor` times the width, with x [m] at its place. From two bins to the whole strip can be seen.
+    /// Shows the sections before a break, newest first, behind all other ground (earlier_layer.h).
+    void setEarlier(const std::vector<EarlierSection>& sections);
+    /// Shows `factor` times the width, with x [m] at its place. From two bins to all ground can be seen.
     void zoom(double factor, double x);
     void zoomAt(double factor, QPointF at);  ///< the same with a point [m] at its place
-    void pan(double metres);                 ///< moves the window forward, within the strip
+    void pan(double metres);                 ///< moves the window forward, within all ground
     void panBy(QPointF metres);  ///< the same upwards, too, where the picture is close up
     void resetZoom();
     void setMeasuring(bool on);
@@ -245,6 +248,7 @@ private:
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;
     RememberedLayer* remembered_ = nullptr;
+    EarlierLayer* earlier_ = nullptr;
     QwtPlotTextLabel* rememberedNote_ = nullptr;
     QString whyNothingRemembered_;
     std::optional<QPointF> grabbed_;  ///< [m] under the pointer since it was pressed

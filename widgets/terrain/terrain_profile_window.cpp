@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/picture_touch.h"
 #include "widgets/terrain/remembered_layer.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -18,8 +19,8 @@ constexpr double kStepOfZoom = 1.25;  // of the wheel and the keys
 constexpr double kBeyond = 0.3;       // [m] beyond the strip's ends
 constexpr double kClosest = 0.125;    // least zoom: the width of two bins
 
-/// Returns the x of the strip's ends [m]; those of the robot's picture, if it is shorter.
-std::array<double, 2> endsOf(const SeenStrip& strip)
+/// Returns the x of the ends of the strip and of earlier ground [m]; those of the robot's picture, if it is longer.
+std::array<double, 2> endsOf(const SeenStrip& strip, const EarlierLayer& earlier)
 {
     std::array<double, 2> ends{ProfileAxes::kLeft, ProfileAxes::kRight};
     for (const auto& side : strip.side) {
@@ -27,6 +28,7 @@ std::array<double, 2> endsOf(const SeenStrip& strip)
         ends[0] = std::min(ends[0], side.front().x - kBeyond);
         ends[1] = std::max(ends[1], side.back().x + kBeyond);
     }
+    if (earlier.count() > 0) ends[0] = std::min(ends[0], earlier.begin() - kBeyond);
     return ends;
 }
 
@@ -34,7 +36,7 @@ std::array<double, 2> endsOf(const SeenStrip& strip)
 
 void TerrainProfileView::setWindow(double zoom, double shift, double rise)
 {
-    const auto [begin, end] = endsOf(remembered_->strip());
+    const auto [begin, end] = endsOf(remembered_->strip(), *earlier_);
     const double most = std::max(1.0, (end - begin) / (ProfileAxes::kRight - ProfileAxes::kLeft));
     double within = std::clamp(zoom, kClosest, most);
     if (std::abs(within - 1.0) < 1e-6) within = 1.0;  // after as many steps closer as away

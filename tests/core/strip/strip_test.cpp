@@ -228,6 +228,57 @@ TEST_F(StripTest, aTightTurnBeginsASection)
     EXPECT_EQ(strip.whyNothing(), std::nullopt);
 }
 
+TEST_F(StripTest, groundBeforeATurnIsEarlierGround)
+{
+    explore(leftStepEstimate());
+    EXPECT_TRUE(strip.earlier().empty()) << "the present section is none";
+    turn(0.11);
+    const std::vector<EarlierSection> before = strip.earlier();
+    ASSERT_EQ(before.size(), 1U) << "though no section follows yet";
+    EXPECT_EQ(before[0].next, SectionStart::Turned);
+    EXPECT_FALSE(before[0].onePlane);
+    explore(even(-0.3));
+    EXPECT_EQ(strip.earlier(), before);
+    EXPECT_EQ(strip.seen().side[0].size(), std::size_t{kBins}) << "seen() is the present section";
+    EXPECT_TRUE(strip.seen().onePlane);
+    const TwoTrackEstimate held = leftStepEstimate();
+    for (std::size_t side = 0; side < 2; ++side) {
+        ASSERT_EQ(before[0].side.at(side).size(), std::size_t{kBins});
+        for (std::size_t i = 0; i < kBins; ++i) {
+            const EarlierBin& bin = before[0].side.at(side)[i];
+            EXPECT_NEAR(bin.x, binCentre(static_cast<int>(i)), 1e-9);
+            EXPECT_NEAR(bin.height, held.side.at(side).height[i], 1e-9);
+        }
+    }
+}
+
+TEST_F(StripTest, earlierSectionsAreBoundedNewestFirst)
+{
+    for (int k = 0; k < 12; ++k) {
+        explore(even(-0.01 * k));
+        turn(0.11);
+    }
+    const std::vector<EarlierSection> earlier = strip.earlier();
+    ASSERT_EQ(earlier.size(), Strip::kEarlier);
+    EXPECT_NEAR(earlier.front().side[0][0].height, -0.11, 1e-9);
+    EXPECT_NEAR(earlier.back().side[0][0].height, -0.04, 1e-9);
+}
+
+TEST_F(StripTest, clearedGroundIsNotEarlierGround)
+{
+    explore(even(-0.25));
+    turn(0.11);
+    explore(even(-0.25));
+    strip.endSection();
+    EXPECT_TRUE(strip.earlier().empty());
+    strip.addSilence();
+    drive(0.1);
+    EXPECT_TRUE(strip.earlier().empty()) << "nor after another break";
+    explore(even(-0.25));
+    turn(0.11);
+    EXPECT_EQ(strip.earlier().size(), 1U);
+}
+
 TEST_F(StripTest, aWideCurveDoesNotEndASection)
 {
     explore(even(-0.25));
