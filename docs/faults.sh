@@ -48,10 +48,12 @@ cat >>"$page" <<'EOF'
 
 ## Every kind at every sensor
 
-The table shows drives [%] with any suspicion, without estimates. A letter gives the reason why a fault is not noticed in every drive. Some
-drives raise a suspicion without a fault, too: the row *none* above shows how many. The watch reads each of the twelve elements. *force-1*
-is element 1 of both sides, *left-force-1* that of the left side alone. In the simulation both sides feel the same ground. `terratact
-simulate --disturb` records scenes with the mean of both sides: there a fault of one side is half as large.
+The table shows drives [%] with any suspicion, without estimates. A letter gives the reason why the fault is hard to notice, or impossible.
+A cell below 100 without a letter has another reason: the drive was too short. In such a drive the robot got stuck or tipped over. The
+rules need some way and several presses before they judge. `--return` leaves out such drives. Some drives raise a suspicion without a fault,
+too: the row *none* above shows how many. The watch reads each of the twelve elements. *force-1* is element 1 of both sides, *left-force-1*
+that of the left side alone. In the simulation both sides feel the same ground. `terratact simulate --disturb` records scenes with the mean
+of both sides: there a fault of one side is half as large.
 
     terratact faults --matrix --drives 10 --seed 1
 

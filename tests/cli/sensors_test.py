@@ -4,7 +4,7 @@ import pathlib
 import tempfile
 import unittest
 
-from support import SOURCE, complaint, rows, run
+from support import SOURCE, complaint, fault_names, rows, run
 
 
 class Sensors(unittest.TestCase):
@@ -32,6 +32,21 @@ class Sensors(unittest.TestCase):
             self.assertEqual(row["pitch_rad"], first.setdefault(row["run"], true["pitch_rad"]))
             self.assertEqual(row["front_rad"], true["front_rad"])
         self.assertIn("KIND:SENSORS", complaint(*command, "--disturb", "stuck:nose", "--out", stuck, code=2))
+
+    def test_every_fault_changes_the_scenes(self):
+        out = self.path / "scenes.csv"
+
+        def scenes(fault):  # returns the text of scenes with the fault
+            run("simulate", "--terrain", "boxes", "--count", 60, "--seed", 5, "--disturb", fault, "--out", out)
+            return out.read_text()
+
+        kinds, sensors = fault_names()
+        harmless = {"offset:roll", "offset:odometry"}  # one-plane scenes have neither
+        sound = scenes("none")
+        # Every kind at every sensor: tests/core/sim/sensor_fault_test.cpp
+        for fault in [f"{kind}:all" for kind in kinds] + [f"offset:{sensor}" for sensor in sensors]:
+            with self.subTest(fault=fault):
+                self.assertEqual(scenes(fault) == sound, fault in harmless)
 
     def test_calibrate_prints_a_robot_file_section(self):
         def volts(force):  # returns the voltage of an element of 9 kΩ at 1 N with a preload of 0.4 N

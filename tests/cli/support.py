@@ -4,6 +4,7 @@ import csv
 import os
 import pathlib
 import queue
+import re
 import subprocess
 import tempfile
 import threading
@@ -25,6 +26,14 @@ def complaint(*arguments, code=1):
     done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=500)
     assert done.returncode == code, f"{arguments}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done.stderr
+
+
+def fault_names():
+    """Returns the kinds and the sensors of the faults that the program reads."""
+    said = complaint("simulate", "--disturb", "no:such", "--out", os.devnull, code=2)
+    names = re.search(r"KIND one of ([\w -]+), SENSORS one of ([\w -]+)", said)
+    assert names, said
+    return names[1].split(), names[2].split()
 
 
 def sanitized():

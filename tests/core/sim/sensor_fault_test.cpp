@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/robot/robot_model.h"
 #include "tests/support/absolem.h"
@@ -40,6 +44,60 @@ TEST(SensorFault, ReadsKindSensorsAndAmount)
     for (const char* wrong : {"", "stuck", "stuck:", "stuck:nose", "stick:pitch", "offset:pitch:",
                               "offset:pitch:x", "offset:pitch:nan", "late:all:-1", "late:all:11"})
         EXPECT_FALSE(sensorFaultFrom(wrong)) << wrong;
+}
+
+/// Returns the words of the syntax between two words.
+std::vector<std::string> wordsBetween(const std::string& before, const std::string& after)
+{
+    const std::string syntax = sensorFaultSyntax();
+    const std::size_t begin = syntax.find(before) + before.size();
+    std::istringstream words(syntax.substr(begin, syntax.find(after, begin) - begin));
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// Returns line k of a drive: it presses for five lines in ten, and every reading differs from line to line.
+Measurement lineOfPresses(int k)
+{
+    Measurement m;
+    m.activity = k % 10 < 5 ? RobotActivity::Pressed : RobotActivity::Driving;
+    for (std::size_t e = 0; e < kForceElements; ++e) m.sides.left[e] = m.sides.right[e] = 1.0;
+    m.travelled = 0.0;
+    for (std::size_t i = 0; i < kSensors; ++i)
+        setReading(m, sensorAt(i), 1.0 + 0.1 * static_cast<double>(i) + 0.01 * k);
+    m.time = 0.1 * k;
+    return m;
+}
+
+/// Returns true if the fault changes a reading of the drive.
+bool acts(const std::string& fault)
+{
+    FaultySensors faulty = with(fault);
+    bool isChanged = false;
+    for (int k = 0; k < 40; ++k) {
+        const SensorReadings wrong = readingsOf(faulty.apply(lineOfPresses(k)));
+        isChanged = isChanged || wrong != readingsOf(lineOfPresses(k));
+    }
+    return isChanged;
+}
+
+TEST(SensorFault, EveryKindActsAtEverySensor)
+{
+    const std::vector<std::string> kinds = wordsBetween("KIND one of", ", SENSORS");
+    const std::vector<std::string> sensors = wordsBetween("SENSORS one of", "\n");
+    EXPECT_EQ(kinds.size(), 13U);
+    EXPECT_EQ(sensors.size(), 40U);
+    for (const std::string& kind : kinds)
+        for (const std::string& sensor : sensors) {
+            const std::string fault = kind + ':' + sensor;
+            ASSERT_TRUE(sensorFaultFrom(fault)) << fault;
+            const SensorKind what = kindOf(sensorFaultFrom(fault)->sensors.front());
+            const bool isAlone = what == SensorKind::Attitude || what == SensorKind::Way;
+            const bool hasNoOther =
+                sensor != "all"
+                && ((kind == "swapped" && isAlone)
+                    || (kind == "swapped-axles" && (isAlone || what == SensorKind::Force)));
+            EXPECT_EQ(acts(fault), !hasNoOther) << fault;
+        }
 }
 
 TEST(SensorFault, OfOneSideHalvesTheMean)
