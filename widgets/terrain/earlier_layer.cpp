@@ -30,13 +30,13 @@ bool isEarlierDrawn(const EarlierBin& bin)
 QPainterPath earlierLine(const std::vector<QPointF>& points)
 {
     QPainterPath path;
+    const QPointF* before = nullptr;
     for (const QPointF& point : points) {
-        const bool isJoined =
-            !path.isEmpty() && point.x() - path.currentPosition().x() < RememberedLayer::kNeighbour;
-        if (isJoined)
+        if (before && point.x() - before->x() < RememberedLayer::kNeighbour)
             path.lineTo(point);
         else
             path.moveTo(point);
+        before = &point;
     }
     return path;
 }
