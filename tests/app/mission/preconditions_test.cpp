@@ -146,12 +146,12 @@ TEST_F(PreconditionBench, aTurnedDifferentialNeedsAnOverride)
     telemetry.differential = 0.019;  // [rad] within its sensor's noise
     tick();
     EXPECT_TRUE(linesOf(exploration->preconditions()).contains("✔ left and right agree"));
-    telemetry.differential = -0.1;
+    telemetry.differential = 0.1;
     tick();
     EXPECT_TRUE(linesOf(exploration->preconditions())
-                    .contains("! the track differential has turned by -5.7°"));
+                    .contains("! the track differential has turned by +5.7°"));
     exploration->overrideWarnings();
-    EXPECT_EQ(overridden(), "the track differential has turned by -5.7°");
+    EXPECT_EQ(overridden(), "the track differential has turned by +5.7°");
     telemetry.differential = 0.0;
     tick();
     EXPECT_EQ(events.filter("the override has ended: the track differential is back").size(), 1);

@@ -260,7 +260,9 @@ SessionReader recorded(SimulatedExploration& bench, const std::string& folder)
         EXPECT_TRUE(bench.explore()) << bench.eventText();
         bench.driveBy(0.3);
         exploreAndProbe(bench);
-        EXPECT_TRUE(bench.explore()) << bench.eventText();  // in place: the reading still counts
+        bench.exploration.request();  // in place: the reading still counts
+        EXPECT_TRUE(bench.reaches(AtemPhase::Estimating)) << bench.eventText();
+        EXPECT_TRUE(bench.explore()) << bench.eventText();
         for (const double way : {0.1, 0.3}) {
             bench.driveBy(way);
             EXPECT_TRUE(bench.explore()) << bench.eventText();

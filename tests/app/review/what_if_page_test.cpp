@@ -139,7 +139,7 @@ TEST_F(ReviewOf, theShippedSessionOfTwoTracksIsReproduced)
     EXPECT_FALSE(page.answer()->onePlane);
     const QString text = page.result()->text();
     EXPECT_TRUE(text.contains("reproduce the recorded estimate")) << text.toStdString();
-    EXPECT_TRUE(text.contains("\nLeft: BLOCKED (")) << text.toStdString();
+    EXPECT_TRUE(text.contains("\nLeft: CANNOT TELL (")) << text.toStdString();
     EXPECT_TRUE(text.contains("\nRight: CANNOT TELL (")) << text.toStdString();
     EXPECT_TRUE(page.table()->item(0, 0)->text().endsWith("left"));
     EXPECT_TRUE(page.table()->item(kBins, 0)->text().endsWith("right"));
