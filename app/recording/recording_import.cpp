@@ -191,8 +191,8 @@ private:
     {
         if (series.series(Quantity::Travelled).empty() || !series.series(Quantity::Turned).empty())
             return;
-        report_.remarks.push_back("the way is left out, because the recording's heading is not "
-                                  "mapped: add [turned] to the mapping, or [odometry]");
+        report_.remarks.emplace_back("the way is left out, because the recording's heading is not "
+                                     "mapped: add [turned] to the mapping, or [odometry]");
     }
 
     Status addClockStep(const ClockStep& step, SessionTime time)

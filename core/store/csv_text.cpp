@@ -66,7 +66,7 @@ bool needsQuotes(std::string_view text)
 
 std::string csvField(std::string_view text)
 {
-    const std::string field = isPlainNumber(text) ? std::string(text) : defused(text);
+    std::string field = isPlainNumber(text) ? std::string(text) : defused(text);
     if (!needsQuotes(field)) return field;
     std::string quoted = "\"";
     for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);

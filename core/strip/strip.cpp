@@ -313,10 +313,11 @@ std::vector<EarlierSection> Strip::earlier() const
 {
     std::vector<EarlierSection> earlier;
     std::optional<SectionStart> next = whyNothing();
-    for (auto section = sections_.rbegin(); section != sections_.rend(); ++section) {
-        if (section->segment < cleared_ || earlier.size() == kEarlier) break;
-        if (next) earlier.push_back(earlierOf(*section, *next));
-        next = section->why;
+    for (std::size_t k = sections_.size(); k > 0; --k) {
+        const StripSection& section = sections_[k - 1];
+        if (section.segment < cleared_ || earlier.size() == kEarlier) break;
+        if (next) earlier.push_back(earlierOf(section, *next));
+        next = section.why;
     }
     return earlier;
 }

@@ -42,6 +42,7 @@ std::vector<SceneRepeat> repeatsOf(const std::vector<SceneType>& scenes)
 {
     SceneRepeats<SceneType> known;
     std::vector<SceneRepeat> repeats;
+    repeats.reserve(scenes.size());
     for (const SceneType& scene : scenes)
         repeats.push_back(known.add(scene, static_cast<int>(repeats.size())));
     return repeats;
