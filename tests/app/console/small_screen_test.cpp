@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QScreen>
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -51,12 +53,22 @@ struct SmallScreen : BusConsole {
         gui::showActive(*window);
         EXPECT_TRUE(eventually([&] { return screenArea().contains(window->frameGeometry()); }));
     }
-    /// Checks that STOP and arming are visible.
+    std::array<const QWidget*, 2> neededInHeader() const
+    {
+        return {window->header()->stopButton(), window->header()->arming()};
+    }
+    /// Checks that STOP and arming are visible once the header has made room for its present words.
     void lookAtHeader(const std::string& where)
     {
+        (void)eventually(
+            [&] {
+                return std::ranges::all_of(neededInHeader(), [&](const QWidget* needed) {
+                    return window->header()->rect().contains(needed->geometry());
+                });
+            },
+            3000);
         picture(QString::fromStdString(where).remove(' ').replace(',', '_'));
-        for (const QWidget* needed : std::initializer_list<const QWidget*>{
-                 window->header()->stopButton(), window->header()->arming()}) {
+        for (const QWidget* needed : neededInHeader()) {
             EXPECT_TRUE(needed->isVisible()) << where;
             EXPECT_TRUE(screenArea().contains(onScreen(*needed))) << where;
             EXPECT_TRUE(window->header()->rect().contains(needed->geometry())) << where;
