@@ -154,10 +154,8 @@ private:
                             .type = keptName(about.text("type")),
                             .encoding = "ros1",
                             .schemaEncoding = "ros1msg"};
-        if (const auto kept = texts_.keep(topic.type, about.text("message_definition")))
-            topic.schema = *kept;
-        else
-            remark(kept.error().text);
+        topic.schema = texts_.keep(topic.type, about.text("message_definition"));
+        if (!topic.schema) remark(topic.schema.error().text);
         topicOf_[*id] = topics_.size();
         topics_.push_back(std::move(topic));
     }

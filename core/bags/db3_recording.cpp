@@ -19,7 +19,7 @@ namespace {
 /// A definition of message_definitions.
 struct StoredDefinition {
     std::string encoding;
-    std::shared_ptr<const std::string> text;  ///< null: SchemaTexts does not keep it
+    Result<std::shared_ptr<const std::string>> text;  ///< errors are those of SchemaTexts
 };
 
 bool hasTable(SqliteFile& file, const char* name)
@@ -44,6 +44,11 @@ public:
             if (const auto found = definitions.find(topic.type); found != definitions.end()) {
                 topic.schemaEncoding = found->second.encoding;
                 topic.schema = found->second.text;
+            } else if (hasMoreDefinitions_) {
+                topic.schema =
+                    Error{fmt::format("the definition of {} is not among the first {} of the file, "
+                                      "which alone are read",
+                                      printable(topic.type), MessageSchema::kMaxStructs)};
             }
             topicOf_[rows.integer(0)] = topics_.size();
             topics_.push_back(std::move(topic));
@@ -103,10 +108,13 @@ private:
         SchemaTexts texts;
         SqliteStatement rows = file_.prepare(
             "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
-        while (rows.step() && all.size() < MessageSchema::kMaxStructs) {
+        while (rows.step()) {
+            hasMoreDefinitions_ = all.size() == MessageSchema::kMaxStructs;
+            if (hasMoreDefinitions_) break;
             const std::string type = keptName(rows.text(0));
             const auto kept = texts.keep(type, rows.text(2));
-            all[type] = {.encoding = keptName(rows.text(1)), .text = kept ? *kept : nullptr};
+            all.insert_or_assign(
+                type, StoredDefinition{.encoding = keptName(rows.text(1)), .text = kept});
             if (!kept) remark(kept.error().text);
         }
         return all;
@@ -124,6 +132,7 @@ private:
     std::map<std::int64_t, std::size_t> topicOf_;  ///< by id
     std::string data_;
     std::uint64_t steps_ = 0, row_ = 0;
+    bool hasMoreDefinitions_ = false;  ///< than readDefinitions() returns
     bool ended_ = false;
 };
 

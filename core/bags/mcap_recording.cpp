@@ -35,7 +35,7 @@ constexpr std::uint64_t kMaxSummary = std::uint64_t{64} << 20U;  // bytes
 
 struct McapSchema {
     std::string name, encoding;
-    std::shared_ptr<const std::string> text;
+    Result<std::shared_ptr<const std::string>> text;
 };
 
 /// Place of a chunk and its channels, from the summary.
@@ -49,19 +49,20 @@ class McapChannels {
 public:
     explicit McapChannels(std::vector<RecordedTopic>& topics) : topics_(topics) {}
 
-    /// Errors are those of SchemaTexts; the channels of the schema then have no definition.
+    /// Errors are those of SchemaTexts; the schema's topics keep them.
     Status addSchema(std::string_view record)
     {
         ByteCursor in(record);
         const auto id = in.number<std::uint16_t>();
-        McapSchema schema{.name = keptName(in.text()), .encoding = keptName(in.text()), .text = {}};
+        McapSchema schema{.name = keptName(in.text()),
+                          .encoding = keptName(in.text()),
+                          .text = std::shared_ptr<const std::string>()};
         const std::string_view text = in.text();
         if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMost) return Done{};
         const bool isDecoded = schema.encoding == "ros1msg" || schema.encoding == "ros2msg";
-        const auto kept = texts_.keep(schema.name, isDecoded ? text : std::string_view());
-        if (kept) schema.text = *kept;
-        schemas_.emplace(id, std::move(schema));
-        return kept ? Status(Done{}) : kept.error();
+        schema.text = texts_.keep(schema.name, isDecoded ? text : std::string_view());
+        const McapSchema& kept = schemas_.emplace(id, std::move(schema)).first->second;
+        return kept.text ? Status(Done{}) : kept.text.error();
     }
 
     void addChannel(std::string_view record)

@@ -10,6 +10,30 @@
 #include "core/base/text.h"
 
 namespace terratact {
+namespace {
+
+/// Returns the definition of a topic's messages: the file's own, else that of a common type.
+Result<std::string_view> messageDefinition(const RecordedTopic& topic, std::string_view wanted)
+{
+    if (!topic.schema)
+        return Error(topic.schema.error().text
+                     + ". Record fewer types in one file, or a type with a shorter definition");
+    if (const auto& own = *topic.schema; own && !own->empty()) {
+        if (topic.schemaEncoding == wanted) return std::string_view(*own);
+        return Error(fmt::format("its definition has the encoding {}, expected {}; record or "
+                                 "convert it with that",
+                                 shown(topic.schemaEncoding), wanted));
+    }
+    if (topic.type.empty())
+        return Error("the file holds no definition for it; record it again with a newer "
+                     "program");
+    if (const std::string_view common = knownDefinition(topic.type); !common.empty()) return common;
+    return Error(fmt::format("the file lacks the definition of {}; record it again "
+                             "with a newer program, or as MCAP",
+                             printable(topic.type)));
+}
+
+}  // namespace
 
 std::string keptName(std::string_view name)
 {
@@ -25,25 +49,10 @@ Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
         return Error(fmt::format("its messages have the encoding {}, expected json, ros1 "
                                  "or cdr; record or convert it with one of these",
                                  shown(topic.encoding)));
-    const char* const wanted = isRos1 ? "ros1msg" : "ros2msg";
-    std::string_view text;
-    if (topic.schema) text = *topic.schema;
-    if (text.empty()) {
-        if (topic.type.empty())
-            return Error("the file holds no definition for it; record it again with a newer "
-                         "program");
-        text = knownDefinition(topic.type);
-        if (text.empty())
-            return Error(fmt::format("the file lacks the definition of {}; record it again "
-                                     "with a newer program, or as MCAP",
-                                     printable(topic.type)));
-    } else if (topic.schemaEncoding != wanted) {
-        return Error(fmt::format("its definition has the encoding {}, expected {}; record or "
-                                 "convert it with that",
-                                 shown(topic.schemaEncoding), wanted));
-    }
+    const auto text = messageDefinition(topic, isRos1 ? "ros1msg" : "ros2msg");
+    if (!text) return text.error();
     auto schema = MessageSchema::parse(
-        topic.type, text, isRos1 ? MessageSchema::Dialect::Ros1 : MessageSchema::Dialect::Ros2);
+        topic.type, *text, isRos1 ? MessageSchema::Dialect::Ros1 : MessageSchema::Dialect::Ros2);
     if (!schema) return schema.error();
     MessageDecoder decoder(isRos1 ? Encoding::Ros1 : Encoding::Cdr);
     decoder.schema_ = std::move(*schema);

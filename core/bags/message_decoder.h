@@ -26,9 +26,9 @@ struct RecordedTopic {
     std::string type{};            ///< "sensor_msgs/Imu"
     std::string encoding{};        ///< of its messages: "ros1", "cdr", "json", "csv", …
     std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …
-    /// Definition of the messages, which several topics may share; null: the file has none, or none that
-    /// SchemaTexts keeps.
-    std::shared_ptr<const std::string> schema{};
+    /// Definition of the messages, which several topics may share; null: the file has none. Error: why the
+    /// file's own one is left out.
+    Result<std::shared_ptr<const std::string>> schema = std::shared_ptr<const std::string>();
     std::optional<std::uint64_t> messages{};  ///< their number, if the file's index says it
 };
 
@@ -36,8 +36,8 @@ struct RecordedTopic {
 class MessageDecoder {
 public:
     /// Errors state what was expected, without the topic: the encoding is unknown, or the definition is
-    /// missing or cannot be parsed. A definition that is missing is replaced where the type is one of
-    /// core/bags/known_messages.h.
+    /// missing, left out or cannot be parsed. A definition that the file lacks is replaced where the type is
+    /// one of core/bags/known_messages.h; one that is left out is not.
     static Result<MessageDecoder> of(const RecordedTopic& topic);
 
     /// Errors state the cause, without the topic.

@@ -102,7 +102,9 @@ const Result<MessageDecoder>& Recording::decoderOf(std::size_t topic)
     decoderOfTopic_.resize(std::max(decoderOfTopic_.size(), topics_.size()));
     if (!decoderOfTopic_.at(topic)) {
         const RecordedTopic& t = topics_[topic];
-        const DecoderKey key{t.type, t.encoding, t.schemaEncoding, t.schema.get()};
+        const DecoderKey key{t.type, t.encoding, t.schemaEncoding,
+                             t.schema ? t.schema->get() : nullptr,
+                             t.schema ? std::string() : t.schema.error().text};
         auto found = decoders_.find(key);
         if (found == decoders_.end()) found = decoders_.emplace(key, newDecoder(t)).first;
         decoderOfTopic_[topic] = &found->second;

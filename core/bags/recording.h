@@ -93,8 +93,10 @@ private:
     std::optional<std::set<std::string>> selected_;
     std::vector<std::string> remarks_;
     std::size_t remarked_ = 0;
-    /// What a decoder depends on: type, encodings and definition. Many topics may share one.
-    using DecoderKey = std::tuple<std::string, std::string, std::string, const std::string*>;
+    /// What a decoder depends on: type, encodings, and the definition or why it is left out. Many topics
+    /// may share one.
+    using DecoderKey =
+        std::tuple<std::string, std::string, std::string, const std::string*, std::string>;
     const Result<MessageDecoder>& decoderOf(std::size_t topic);
     Result<MessageDecoder> newDecoder(const RecordedTopic& topic);
 

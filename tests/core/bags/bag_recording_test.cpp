@@ -89,15 +89,20 @@ TEST_F(BagFiles, aDefinitionThatIsTooLargeCostsItsTopic)
     bag.connection(2, "/" + std::string(1000, 'n'), "p/T",
                    std::string(MessageSchema::kMaxText + 1, ' '));
     bag.message(2, 8, 0, number(3.5));
+    bag.connection(3, "/c", "std_msgs/Float64", std::string(MessageSchema::kMaxText + 1, ' '));
+    bag.message(3, 9, 0, number(4.5));
     const ReadRecording found = read(bag.chunk("bz2").bytes());
-    ASSERT_EQ(found.messages.size(), 3U);
+    ASSERT_EQ(found.messages.size(), 4U);
     EXPECT_EQ(found.messages[0], all[0]);
     EXPECT_EQ(found.messages[1], all[1]);
     EXPECT_EQ(found.messages[2].find("/" + std::string(kMaxTopicName - 1, 'n') + "… 8"), 0U)
         << found.messages[2];
-    EXPECT_NE(found.messages[2].find("the file lacks the definition of p/T"), std::string::npos)
+    EXPECT_NE(found.messages[2].find("the definition of p/T has 1048577 bytes"), std::string::npos)
         << found.messages[2];
-    ASSERT_EQ(found.remarks.size(), 2U) << "no index; the definition";
+    EXPECT_NE(found.messages[3].find("the definition of std_msgs/Float64 has 1048577 bytes"),
+              std::string::npos)
+        << "a common type is not decoded by another definition: " << found.messages[3];
+    ASSERT_EQ(found.remarks.size(), 3U) << "no index; the definitions";
     EXPECT_NE(found.remarks[1].find("the definition of p/T has 1048577 bytes"), std::string::npos)
         << found.remarks[1];
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,12 +109,43 @@ TEST_F(Db3Files, aDefinitionThatIsTooLargeCostsItsTopic)
     const auto found = read(path);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0], std::string(kMaxTopicName, 'n') + "… 5 1.500000");
-    EXPECT_NE(found[1].find("topic /b: the file lacks the definition of p/msg/T"),
+    EXPECT_NE(found[1].find("topic /b: the definition of p/msg/T has 1048578 bytes"),
               std::string::npos)
         << found[1];
     ASSERT_EQ(remarks.size(), 1U);
     EXPECT_EQ(remarks[0],
               "the definition of p/msg/T has 1048578 bytes, more than 1048576; it is left out");
+}
+
+TEST_F(Db3Files, aCommonTypeIsNotDecodedByAnotherDefinition)
+{
+    const std::string definitions =
+        tables()
+        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
+          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);";
+    const auto tooLong =
+        read(written(definitions
+                     + "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', "
+                       "'ros2msg', replace(hex(zeroblob(524289)), '0', ' '), '');"
+                     + message(1, 5, number(1.5))));
+    ASSERT_EQ(tooLong.size(), 1U);
+    EXPECT_NE(tooLong[0].find("topic /a: the definition of std_msgs/msg/Float64 has 1048578 bytes"),
+              std::string::npos)
+        << tooLong[0];
+    std::filesystem::remove(directory.file("a.db3"));
+    const auto behindTheBound = read(written(
+        definitions
+        + "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000) INSERT "
+          "INTO message_definitions SELECT i, 'p/msg/N' || i, 'ros2msg', 'bool a', '' FROM n;"
+          "INSERT INTO message_definitions VALUES(1001, 'std_msgs/msg/Float64', 'ros2msg', "
+          "'uint64 data', '');"
+        + message(1, 5, number(1.5))));
+    ASSERT_EQ(behindTheBound.size(), 1U);
+    EXPECT_NE(behindTheBound[0].find("topic /a: the definition of std_msgs/msg/Float64 is not "
+                                     "among the first 1000 of the file, which alone are read. "
+                                     "Record fewer types"),
+              std::string::npos)
+        << behindTheBound[0];
 }
 
 TEST_F(Db3Files, otherDatabasesAreRefused)

@@ -153,7 +153,7 @@ TEST_F(McapFiles, aDefinitionThatIsTooLargeCostsItsTopic)
     const ReadRecording found = read(mcap.chunk("zstd").file());
     ASSERT_EQ(found.messages.size(), 3U);
     EXPECT_EQ(found.messages[0], "/a 5 1.500000");
-    EXPECT_NE(found.messages[1].find("topic /c: the file lacks the definition of p/msg/T"),
+    EXPECT_NE(found.messages[1].find("topic /c: the definition of p/msg/T has 1048577 bytes"),
               std::string::npos)
         << found.messages[1];
     EXPECT_EQ(found.messages[2], "/d 7 3.500000") << "it needs none";
@@ -161,6 +161,26 @@ TEST_F(McapFiles, aDefinitionThatIsTooLargeCostsItsTopic)
     EXPECT_NE(found.remarks[1].find("the definition of p/msg/T has 1048577 bytes"),
               std::string::npos)
         << found.remarks[1];
+}
+
+TEST_F(McapFiles, aCommonTypeIsNotDecodedByAnotherDefinition)
+{
+    const std::string tooLong(MessageSchema::kMaxText + 1, ' '), longer = tooLong + ' ';
+    McapBytes mcap = begun();
+    mcap.schema(2, "std_msgs/msg/Float64", "ros2msg", tooLong).channel(3, 2, "/c", "cdr");
+    mcap.schema(3, "std_msgs/msg/Float64", "ros2msg", longer).channel(4, 3, "/d", "cdr");
+    mcap.schema(4, "std_msgs/msg/Float64", "", "").channel(5, 4, "/e", "cdr");
+    for (std::uint16_t channel = 3; channel <= 5; ++channel) mcap.message(channel, 6, number(2.5));
+    const ReadRecording found = read(mcap.chunk("zstd").file());
+    ASSERT_EQ(found.messages.size(), 3U);
+    EXPECT_NE(found.messages[0].find("topic /c: the definition of std_msgs/msg/Float64 has 1048577 "
+                                     "bytes, more than 1048576; it is left out. Record fewer"),
+              std::string::npos)
+        << found.messages[0];
+    EXPECT_NE(found.messages[1].find("/d: the definition of std_msgs/msg/Float64 has 1048578"),
+              std::string::npos)
+        << found.messages[1];
+    EXPECT_EQ(found.messages[2], "/e 6 2.500000") << "the file has no definition of it";
 }
 
 TEST_F(McapFiles, decodersHaveABoundedNumberOfFields)

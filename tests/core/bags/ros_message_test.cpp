@@ -195,5 +195,17 @@ TEST(MessageDecoder, refusalsSayWhatWasExpected)
     EXPECT_EQ(why({.name = "/a", .type = "std_msgs/msg/Float64", .encoding = "cdr"}), "");
 }
 
+TEST(MessageDecoder, noCommonDefinitionReplacesOneLeftOut)
+{
+    const auto decoder = MessageDecoder::of({.name = "/a",
+                                             .type = "std_msgs/msg/Float64",
+                                             .encoding = "cdr",
+                                             .schemaEncoding = "ros2msg",
+                                             .schema = Error{"its definition is too long"}});
+    ASSERT_FALSE(decoder);
+    EXPECT_EQ(decoder.error().text, "its definition is too long. Record fewer types in one file, "
+                                    "or a type with a shorter definition");
+}
+
 }  // namespace
 }  // namespace terratact
