@@ -133,10 +133,7 @@ Status StopCaller::press(const std::string& path)
 {
     if (Status good = check(path); !good) return good;
     const Address address = addressOf(path);
-    if (::connect(socket_.get(), address.get(), address.size) != 0) {
-        if (errno == ENOENT) errno = ECONNREFUSED;  // the listener took its socket along
-        return lastError(path);
-    }
+    if (::connect(socket_.get(), address.get(), address.size) != 0) return lastError(path);
     (void)isTaken();  // an answer to an earlier press does not count
     if (::send(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL) < 0) return lastError(path);
     return Done{};

@@ -43,8 +43,9 @@ class StopCaller {
 public:
     static Result<StopCaller> open();
 
-    /// Sends STOP. Error: no program listens at this path of 1 to 100 characters (ECONNREFUSED),
-    /// or its queue is full. From now on, only that program can send to this end.
+    /// Sends STOP. Error: the program that listened at this path of 1 to 100 characters is gone
+    /// (ECONNREFUSED); there is no socket (ENOENT): the program closed its line, or something else
+    /// removed the file; or its queue is full. From now on, only that program can send to this end.
     Status press(const std::string& path);
     /// Returns true once the other end has taken it. Does not wait.
     bool isTaken();

@@ -62,12 +62,16 @@ void RemoteStop::press()
 
 void RemoteStop::fail(const Error& error)
 {
-    emit said(error.code == ECONNREFUSED
-                  ? Message(TR_NOOP(
-                      "terratact::RemoteStop",
-                      "STOP HAS NO EFFECT HERE: the console that opened this window is gone"))
-                  : Message(TR_NOOP("terratact::RemoteStop", "STOP NOT SENT: %1"), error.message),
-              EventSeverity::Bad);
+    Message why(TR_NOOP("terratact::RemoteStop", "STOP NOT SENT: %1"), error.message);
+    if (error.code == ECONNREFUSED)
+        why = TR_NOOP("terratact::RemoteStop",
+                      "STOP HAS NO EFFECT HERE: the console that opened this window is gone");
+    if (error.code == ENOENT)  // the console has quit, or its folder was removed: it may still run
+        why = Message(TR_NOOP("terratact::RemoteStop",
+                              "STOP NOT SENT: the console's stop line was not found at %1; press "
+                              "STOP in the console, or use the robot's own switch"),
+                      line_);
+    emit said(why, EventSeverity::Bad);
 }
 
 void RemoteStop::poll()

@@ -9509,6 +9509,10 @@ F1</translation>
         <translation>STOP NEODESLÁN: %1</translation>
     </message>
     <message>
+        <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
+        <translation>STOP NEODESLÁN: v %1 není vedení, kterým konzole přijímá STOP; stiskněte STOP v konzoli, nebo použijte vypínač na robotu</translation>
+    </message>
+    <message>
         <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>
         <translation>STOP: konzole, která toto okno otevřela, jej převzala; tam uvidíte, zda jej robot potvrdí</translation>
     </message>

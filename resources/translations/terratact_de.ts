@@ -9508,6 +9508,10 @@ F1</translation>
         <translation>STOP NICHT GESENDET: %1</translation>
     </message>
     <message>
+        <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
+        <translation>STOP NICHT GESENDET: unter %1 fehlt die Leitung, über die die Konsole STOP empfängt; STOP in der Konsole drücken oder den Schalter am Roboter benutzen</translation>
+    </message>
+    <message>
         <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>
         <translation>STOP: die Konsole, die dieses Fenster geöffnet hat, hat es übernommen; dort steht, ob der Roboter es bestätigt</translation>
     </message>

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -100,6 +101,22 @@ TEST(StopLine, leavesNoFile)
     EXPECT_TRUE(folder.entries().empty());
 }
 
+TEST(StopLine, ofAKilledListenerRefuses)
+{
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("stop"), left = folder.file("left");
+    auto listens = StopLine::listen(path);
+    ASSERT_TRUE(listens) << listens.error().text;
+    auto line = std::make_unique<StopLine>(std::move(*listens));
+    ASSERT_EQ(std::rename(path.c_str(), left.c_str()), 0) << "so that the socket stays";
+    line.reset();
+    auto caller = StopCaller::open();
+    ASSERT_TRUE(caller);
+    const Status sent = caller->press(left);
+    ASSERT_FALSE(sent);
+    EXPECT_EQ(sent.error().code, ECONNREFUSED);
+}
+
 TEST(StopLine, missingListenerIsAnError)
 {
     auto caller = StopCaller::open();
@@ -112,7 +129,7 @@ TEST(StopLine, missingListenerIsAnError)
     line.reset();
     const Status sent = caller->press(someName());
     ASSERT_FALSE(sent);
-    EXPECT_EQ(sent.error().code, ECONNREFUSED);
+    EXPECT_EQ(sent.error().code, ENOENT) << "the listener took its socket along";
     EXPECT_TRUE(StopLine::listen(someName())) << "a later console may have it";
     EXPECT_FALSE(StopLine::listen(""));
     EXPECT_FALSE(StopLine::listen(std::string(101, 'x')));

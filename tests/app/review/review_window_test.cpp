@@ -112,7 +112,7 @@ TEST_F(ReviewOf, aSessionOpenedByAConsoleStopsItsRobot)
     EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "STOP NOT RECEIVED"); }));
     line.reset();
     press(Qt::Key_F12);
-    EXPECT_TRUE(saysUponTheHeader(*window, "STOP HAS NO EFFECT HERE: the console that opened"));
+    EXPECT_TRUE(saysUponTheHeader(*window, "STOP NOT SENT: the console's stop line"));
 }
 
 TEST_F(ReviewOf, aSessionShowsWhatTheOperatorSaw)
