@@ -21,11 +21,13 @@ ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& r
     return {std::move(training), std::move(data)};
 }
 
-/// Writes the missing features and their sentences.
-void warnMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
+/// Writes the missing features and their sentences. earlier: of the estimate.
+void warnMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing,
+                 const EarlierTouch& earlier = {})
 {
     estimate.missing = missing;
-    const std::vector<Message> sentences = missingSentences(asked, missing);
+    const std::vector<Message> sentences =
+        missingSentences(asked, missing, usesEarlierArm(estimate, earlier));
     estimate.warnings.insert(estimate.warnings.begin(), sentences.begin(), sentences.end());
 }
 
@@ -102,7 +104,7 @@ TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmR
         s, arm, robot, reduced ? *reduced : models.clearance, own, poll, earlier);
     estimate.settings = settings;
     if (isForgotten) warnForgotten(estimate, earlier);
-    warnMissing(estimate, settings.method, missing);
+    warnMissing(estimate, settings.method, missing, earlier);
     return estimate;
 }
 

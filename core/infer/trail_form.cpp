@@ -91,13 +91,16 @@ EarlierTouch earlierArm(const TrailHistory* history, std::size_t plane)
     return hasWay(history) ? armOn(history->ground.at(plane)) : EarlierTouch{};
 }
 
+bool usesEarlierArm(const TerrainEstimate& estimate, const EarlierTouch& earlier)
+{
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (earlier.arm[i] && estimate.origin[i] == Origin::Sampled) return true;
+    return false;
+}
+
 void warnForgotten(TerrainEstimate& estimate, const EarlierTouch& earlier)
 {
-    const bool hasArm =
-        std::ranges::any_of(earlier.arm, [](const std::optional<MeasuredHeight>& height) {
-            return height.has_value();
-        });
-    estimate.warnings.emplace_back(hasArm ? kArmAlone : kForgotten);
+    estimate.warnings.emplace_back(usesEarlierArm(estimate, earlier) ? kArmAlone : kForgotten);
 }
 
 bool isForgotten(const TerrainEstimate& estimate)

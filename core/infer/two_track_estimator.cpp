@@ -38,11 +38,13 @@ Reduced reducedFor(const AbsentFeatures& absent, const Models& models, const Wat
     return absent.any() ? models.reducedSides->without(absent, watch.sideBySide, poll) : nullptr;
 }
 
-void writeMissing(TerrainEstimate& estimate, const Proprioception& own)
+/// Writes the missing features and their sentences. own: readings of the side; earlier: of the estimate.
+void writeMissing(TerrainEstimate& estimate, const Proprioception& own, const EarlierTouch& earlier)
 {
     const Method method = estimate.settings.method;
     estimate.missing = missingFor(method, own);
-    const std::vector<Message> sentences = missingSentences(method, estimate.missing);
+    const std::vector<Message> sentences =
+        missingSentences(method, estimate.missing, usesEarlierArm(estimate, earlier));
     estimate.warnings.insert(estimate.warnings.begin(), sentences.begin(), sentences.end());
 }
 
@@ -144,8 +146,8 @@ TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& 
         estimate.side[k].settings = settings;
         if (isTrail && absentLeft.none()) warnForgotten(estimate.side[k], earlier[k]);
     }
-    writeMissing(estimate.side[0], sideReadings(s, Side::Left));
-    writeMissing(estimate.side[1], sideReadings(s, Side::Right));
+    writeMissing(estimate.side[0], sideReadings(s, Side::Left), earlier[0]);
+    writeMissing(estimate.side[1], sideReadings(s, Side::Right), earlier[1]);
     return estimate;
 }
 

@@ -6104,6 +6104,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>paměť cesty potřebuje všechny proudy a síly: použijí se jen dřívější měření ramene</translation>
     </message>
     <message>
+        <source>the memory of the way needs every current and force: this scene alone counts</source>
+        <translation>paměť cesty potřebuje všechny proudy a síly: platí jen tato scéna</translation>
+    </message>
+    <message>
         <source>of the way, only the arm&apos;s earlier readings are used</source>
         <translation>z cesty se použijí jen dřívější měření ramene</translation>
     </message>
@@ -9505,12 +9509,12 @@ F1</translation>
         <translation>STOP TU NEPŮSOBÍ: konzole, která toto okno otevřela, už neběží</translation>
     </message>
     <message>
-        <source>STOP NOT SENT: %1</source>
-        <translation>STOP NEODESLÁN: %1</translation>
-    </message>
-    <message>
         <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
         <translation>STOP NEODESLÁN: v %1 není vedení, kterým konzole přijímá STOP; stiskněte STOP v konzoli, nebo použijte vypínač na robotu</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT: %1</source>
+        <translation>STOP NEODESLÁN: %1</translation>
     </message>
     <message>
         <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>

@@ -6104,6 +6104,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Gedächtnis des Wegs braucht alle Ströme und Kräfte: nur frühere Messungen des Arms werden benutzt</translation>
     </message>
     <message>
+        <source>the memory of the way needs every current and force: this scene alone counts</source>
+        <translation>das Gedächtnis des Wegs braucht alle Ströme und Kräfte: nur diese Szene zählt</translation>
+    </message>
+    <message>
         <source>of the way, only the arm&apos;s earlier readings are used</source>
         <translation>vom Weg werden nur frühere Messungen des Arms benutzt</translation>
     </message>
@@ -9504,12 +9508,12 @@ F1</translation>
         <translation>STOP WIRKT HIER NICHT: die Konsole, die dieses Fenster geöffnet hat, läuft nicht mehr</translation>
     </message>
     <message>
-        <source>STOP NOT SENT: %1</source>
-        <translation>STOP NICHT GESENDET: %1</translation>
-    </message>
-    <message>
         <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
         <translation>STOP NICHT GESENDET: unter %1 fehlt die Leitung, über die die Konsole STOP empfängt; STOP in der Konsole drücken oder den Schalter am Roboter benutzen</translation>
+    </message>
+    <message>
+        <source>STOP NOT SENT: %1</source>
+        <translation>STOP NICHT GESENDET: %1</translation>
     </message>
     <message>
         <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>

@@ -49,7 +49,7 @@ Method methodWithout(Method method, MissingFeatures missing)
     return isPlain && missing.any() ? Method::Local : method;
 }
 
-std::vector<Message> missingSentences(Method method, MissingFeatures missing)
+std::vector<Message> missingSentences(Method method, MissingFeatures missing, bool usesArm)
 {
     std::vector<Message> sentences;
     addCurrents(sentences, missing);
@@ -60,8 +60,11 @@ std::vector<Message> missingSentences(Method method, MissingFeatures missing)
             TR_NOOP("core", "method clearance needs every current and force: local estimates"));
     if (method == Method::Trail)
         sentences.emplace_back(
-            TR_NOOP("core", "the memory of the way needs every current and force: only the arm's "
-                            "earlier readings are used"));
+            usesArm
+                ? TR_NOOP("core", "the memory of the way needs every current and force: only the "
+                                  "arm's earlier readings are used")
+                : TR_NOOP("core", "the memory of the way needs every current and force: this scene "
+                                  "alone counts"));
     if (isOfPaper(method))
         sentences.emplace_back(TR_NOOP("core", "the processes use pitch and flipper angles alone"));
     return sentences;

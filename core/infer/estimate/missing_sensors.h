@@ -20,7 +20,7 @@ MissingFeatures missingFor(Method method, const Proprioception& s);
 Method methodWithout(Method method, MissingFeatures missing);
 
 /// Returns one sentence for what was not measured, and one if another method replaces `method`;
-/// empty if nothing is missing.
-std::vector<Message> missingSentences(Method method, MissingFeatures missing);
+/// empty if nothing is missing. usesArm: of usesEarlierArm() (core/infer/trail_form.h).
+std::vector<Message> missingSentences(Method method, MissingFeatures missing, bool usesArm);
 
 }  // namespace terratact

@@ -77,6 +77,8 @@ TEST(TrailForm, aDeadElementKeepsTheArmsReading)
         const TerrainEstimate after = estimate(&history);
         expectProbed(after, before, height);
         EXPECT_TRUE(says(after, "only the arm's earlier readings are used"));
+        EXPECT_FALSE(says(before, "earlier readings")) << "there are none";
+        EXPECT_TRUE(says(before, "this scene alone counts"));
         EXPECT_EQ(says(before, "nothing of the way is remembered"), !isDead);
         EXPECT_EQ(isForgotten(after), !isDead);
     }
@@ -101,6 +103,9 @@ TEST(TrailForm, aDeadElementKeepsTheReadingOfItsSide)
                         - before.side.at(side).height[kProbedBin]);
     };
     EXPECT_LT(moved(1), moved(0)) << "the right side was not probed";
+    EXPECT_TRUE(says(after.side[0], "only the arm's earlier readings are used"));
+    for (const TerrainEstimate* side : {&before.side[0], &before.side[1], &after.side[1]})
+        EXPECT_FALSE(says(*side, "earlier readings"));
 }
 
 TEST(TrailForm, aContactStaysWhereTheArmMeasuredEarlier)
@@ -119,6 +124,7 @@ TEST(TrailForm, aContactStaysWhereTheArmMeasuredEarlier)
             const TerrainEstimate after = estimate(&history);
             EXPECT_EQ(after.origin[i], Origin::Contact);
             EXPECT_EQ(after.height[i], before.height[i]);
+            EXPECT_FALSE(says(after, "earlier readings")) << "the only one is not used";
         }
     }
     EXPECT_GT(contacts, 0);

@@ -56,11 +56,22 @@ TEST(MissingSensors, everyMethodEstimatesAndNamesThem)
         const TerrainEstimate e = estimate(bench().scenes[3], method, kDead4 | kNoCurrents);
         EXPECT_EQ(e.settings.method, method);
         EXPECT_EQ(e.missing, usesForces(method) ? kDead4 | kNoCurrents : MissingFeatures{});
-        const std::vector<Message> said = missingSentences(method, e.missing);
+        const std::vector<Message> said = missingSentences(method, e.missing, false);
         ASSERT_GE(e.warnings.size(), said.size());
         EXPECT_TRUE(std::equal(said.begin(), said.end(), e.warnings.begin())) << name(method);
     }
-    EXPECT_TRUE(missingSentences(Method::Local, {}).empty());
+    EXPECT_TRUE(missingSentences(Method::Local, {}, true).empty());
+}
+
+TEST(MissingSensors, onlyReadingsOfTheArmInUseAreNamed)
+{
+    const auto said = [](bool usesArm) {
+        return missingSentences(Method::Trail, kDead4, usesArm).back().english();
+    };
+    EXPECT_EQ(said(true), "the memory of the way needs every current and force: only the arm's "
+                          "earlier readings are used");
+    EXPECT_EQ(said(false),
+              "the memory of the way needs every current and force: this scene alone counts");
 }
 
 TEST(MissingSensors, nothingMissingIsTheModelItself)
