@@ -2,6 +2,8 @@
 
 import os
 import pathlib
+import re
+import signal
 import struct
 import subprocess
 import sys
@@ -169,6 +171,39 @@ class Console(unittest.TestCase):
                                       env={"PATH": os.environ["PATH"], **home}, check=False)
                 self.assertEqual(done.returncode, 0, (home, done.stderr))
                 os.remove(picture)
+
+    def test_it_runs_and_writes_nothing_without_a_home(self):
+        unknown = {"user": 54321, "group": 54321, "extra_groups": []} if os.geteuid() == 0 else {}
+        if subprocess.run(["test", "-x", CONSOLE], **unknown, check=False).returncode != 0:
+            self.skipTest("another user cannot run the program where it was built")
+        with tempfile.TemporaryDirectory() as folder:
+            os.chmod(folder, 0o555)
+            homes = [{"HOME": folder}, {"HOME": f"{folder}/none"}, {"HOME": "/dev/null"}, {"HOME": "/proc"}]
+            if unknown:  # others have a home folder in the user database
+                homes += [{}, {"HOME": ""}, {"HOME": "relative"}]
+            for home in homes:
+                with self.subTest(home):
+                    self.assertEqual(self.said_until_ended(folder, home, unknown), [])
+                    self.assertEqual(os.listdir(folder), [])
+
+    def said_until_ended(self, folder, home, user):
+        """Starts the console in folder, ends it with SIGTERM once its window is shown, and returns its lines."""
+        environment = {"PATH": os.environ["PATH"], "QT_QPA_PLATFORM": "offscreen", **home}
+        console = subprocess.Popen([CONSOLE], cwd=folder, env=environment, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True, **user)
+        try:
+            status = pathlib.Path("/proc", str(console.pid), "status")
+            while console.poll() is None:  # the window that handles SIGTERM is shown at once
+                caught = next((line for line in status.read_text().splitlines() if line.startswith("SigCgt:")), "0 0")
+                if int(caught.split()[1], 16) >> (signal.SIGTERM - 1) & 1:
+                    break
+                time.sleep(0.05)
+            console.terminate()
+            said = console.communicate(timeout=300)[1]
+        finally:
+            console.kill()
+        self.assertEqual(console.returncode, 0, said)
+        return [line for line in said.splitlines() if not re.search("XDG_RUNTIME_DIR|propagateSizeHints", line)]
 
     def test_a_picture_that_cannot_be_written_is_named(self):
         done = run("--screenshot", "/nowhere/x.png")
