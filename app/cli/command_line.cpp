@@ -13,6 +13,7 @@
 
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
+#include "app/runtime/last_words.h"
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/standard_streams.h"
@@ -77,6 +78,7 @@ int afterPrinting(int code)
 int runCommandLine(int argc, char** argv)
 {
     holdStandardStreams();
+    sayWhyOnTerminate("terratact");
     try {
         return afterPrinting(realMain(argc, argv));
     } catch (const std::exception& error) {

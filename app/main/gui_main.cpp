@@ -10,6 +10,7 @@
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/file_guard.h"
+#include "app/runtime/last_words.h"
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/standard_streams.h"
@@ -79,6 +80,7 @@ int run(int& argc, char** argv)
 int main(int argc, char** argv)
 {
     terratact::holdStandardStreams();
+    terratact::sayWhyOnTerminate("terratact-console");
     terratact::giveBackBigBlocks();
     openblas_set_num_threads(1);  // the estimator has its own threads
     try {

@@ -7,16 +7,21 @@
 #include <QIcon>
 #include <QScreen>
 #include <QSocketNotifier>
+#include <QThread>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/display/units.h"
+#include "app/runtime/print_text.h"
 #include "app/shell/console_window.h"
 #include "app/shell/text_sheet.h"
 #include "app/start/language.h"
 #include "app/start/qt_messages.h"
+#include "core/base/memory_limit.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 
@@ -62,6 +67,19 @@ bool lettersExist()
 }
 
 }  // namespace
+
+bool GuardedApplication::notify(QObject* receiver, QEvent* event)
+{
+    try {
+        return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+        if (QThread::currentThread()->loopLevel() == 0) throw;
+        if (!hasFailed_.exchange(true))
+            printText(stderr, "terratact-console: {}\n", describeFailure(error));
+        QApplication::exit(EXIT_FAILURE);
+        return true;
+    }
+}
 
 Status Application::start(const Preferences& preferences, bool pictures)
 {

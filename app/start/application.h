@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QApplication>
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,18 @@
 namespace terratact {
 
 class ConsoleWindow;
+
+/// A QApplication that a failing event handler ends in order, because Qt forbids exceptions through its event loop.
+/// notify() prints describeFailure() of the first std::exception, and exec() returns EXIT_FAILURE. The windows are then
+/// destroyed as always: the robot is halted and the recording closed. Outside exec() the exception is thrown on.
+class GuardedApplication final : public QApplication {
+public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override;
+
+private:
+    std::atomic<bool> hasFailed_ = false;
+};
 
 /// Creates the QApplication only when the first window opens, so that earlier errors need no display.
 class Application {
@@ -24,7 +37,7 @@ public:
 private:
     int& argc_;
     char** argv_;
-    std::optional<QApplication> application_;
+    std::optional<GuardedApplication> application_;
 };
 
 /// Shows a window with the reason that no other opens, until it is closed. file: the file to open, or empty. Call after

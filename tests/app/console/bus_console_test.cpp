@@ -4,12 +4,14 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/console/main_window.h"
 #include "app/shell/short_notice.h"
+#include "core/wire/frame_layout.h"
 #include "tests/support/absolem.h"
 #include "tests/support/benches/bus_console_bench.h"
 #include "tests/support/gui.h"
@@ -248,6 +250,19 @@ TEST_F(BusConsole, aSignalClosesTheWindowOfAnArmedRobotAtOnce)
     window->closeUnasked();
     EXPECT_FALSE(window->isVisible());
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
+}
+
+TEST_F(BusConsole, aWindowDestroyedWithoutClosingDisarmsTheRobot)
+{
+    const auto recorder = bus.join("recorder", 0);
+    open();
+    ASSERT_TRUE(armsOnce());
+    (void)framesOf(*recorder);
+    window.reset();
+    const std::vector<BusFrame> heard = framesOf(*recorder);
+    EXPECT_TRUE(std::ranges::any_of(heard, [](const BusFrame& one) {
+        return kindOfId(one.frame.id) == FrameKind::Arm;
+    })) << "as after a failure that ends the program";
 }
 
 TEST_F(BusConsole, showsWhyAProbeWasRefusedInEveryLayout)

@@ -1,0 +1,38 @@
+#include "app/runtime/last_words.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "app/runtime/print_text.h"
+#include "core/base/memory_limit.h"
+
+namespace terratact {
+namespace {
+
+const char* programOfLastWords = "";
+
+[[noreturn]] void sayWhyAndAbort()
+{
+    try {
+        if (const std::exception_ptr thrown = std::current_exception())
+            std::rethrow_exception(thrown);
+    } catch (const std::exception& error) {
+        try {
+            printText(stderr, "{}: {}\n", programOfLastWords, describeFailure(error));
+        } catch (...) {  // no memory even for the sentence: abort() is reported by the shell
+        }
+    } catch (...) {
+    }
+    std::abort();
+}
+
+}  // namespace
+
+void sayWhyOnTerminate(const char* program)
+{
+    programOfLastWords = program;
+    std::set_terminate(sayWhyAndAbort);
+}
+
+}  // namespace terratact
