@@ -9510,7 +9510,7 @@ F1</translation>
     </message>
     <message>
         <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
-        <translation>STOP NEODESLÁN: v %1 není vedení, kterým konzole přijímá STOP; stiskněte STOP v konzoli, nebo použijte vypínač na robotu</translation>
+        <translation>STOP NEODESLÁN: spojení s konzolí nebylo v %1 nalezeno; stiskněte STOP v konzoli, nebo použijte vypínač na robotu</translation>
     </message>
     <message>
         <source>STOP NOT SENT: %1</source>

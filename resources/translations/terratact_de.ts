@@ -9509,7 +9509,7 @@ F1</translation>
     </message>
     <message>
         <source>STOP NOT SENT: the console&apos;s stop line was not found at %1; press STOP in the console, or use the robot&apos;s own switch</source>
-        <translation>STOP NICHT GESENDET: unter %1 fehlt die Leitung, über die die Konsole STOP empfängt; STOP in der Konsole drücken oder den Schalter am Roboter benutzen</translation>
+        <translation>STOP NICHT GESENDET: unter %1 fehlt die Verbindung zur Konsole; STOP in der Konsole drücken oder den Schalter am Roboter benutzen</translation>
     </message>
     <message>
         <source>STOP NOT SENT: %1</source>
