@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 #include "app/cli/commands.h"
 #include "app/modelling/estimate_csv.h"
@@ -33,19 +35,23 @@ Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundl
     if (!file) return file.error();
     for (const Message& notice : file->notices)
         printText(stderr, "terratact: {}\n", notice.english());
-    TrackEstimates estimates =
-        estimateTracks(TrackApproach::Both, file->scenes, bundle, options.settings);
-    const std::size_t contradicting = checkTracks(file->scenes, bundle.robot, estimates);
-    if (Status written = writeText(options.out, twoTrackCsv(file->scenes, bundle.robot, estimates));
-        !written)
-        return written;
-    const auto made = std::ranges::count_if(estimates, [](const auto& e) { return e.has_value(); });
-    const auto planes = std::ranges::count_if(
-        estimates, [](const auto& e) { return e.has_value() && e->onePlane; });
+    std::string csv = twoTrackCsvHeader();
+    std::size_t contradicting = 0;
+    std::ptrdiff_t none = 0, planes = 0;
+    forParts(file->scenes, [&](std::size_t first, std::span<const TwoTrackScene> scenes) {
+        Settings own = options.settings;
+        own.seed += first;
+        TrackEstimates estimates = estimateTracks(TrackApproach::Both, scenes, bundle, own);
+        contradicting += checkTracks(scenes, bundle.robot, estimates);
+        csv += twoTrackCsvRows(scenes, bundle.robot, estimates);
+        none += std::ranges::count_if(estimates, [](const auto& e) { return !e; });
+        planes += std::ranges::count_if(estimates, [](const auto& e) { return e && e->onePlane; });
+    });
+    if (Status written = writeText(options.out, csv); !written) return written;
     printText(
         messagesBeside(options.out),
         "{} scenes of two tracks written to {}; {} not estimated, {} estimated as one plane\n",
-        estimates.size(), options.out, std::ssize(estimates) - made, planes);
+        file->scenes.size(), options.out, none, planes);
     tellContradictions(options.out, contradicting);
     return Done{};
 }
@@ -62,14 +68,21 @@ Status reconstructScenes(const ReconstructOptions& options)
     for (const Message& notice : file->notices)
         printText(stderr, "terratact: {}\n", notice.english());
 
-    auto estimates = estimateScenes(file->scenes, **bundle, options.settings, options.seconds);
-    const std::size_t contradicting = checkEstimates(file->scenes, (*bundle)->robot, estimates);
-    const std::string csv = estimateCsv(file->scenes, estimates);
+    std::string csv = estimateCsvHeader();
+    std::size_t contradicting = 0;
+    std::ptrdiff_t noted = 0;
+    Progress progress = sceneProgress(options.settings.method, file->scenes.size());
+    forParts(file->scenes, [&](std::size_t first, std::span<const Scene> scenes) {
+        Settings own = options.settings;
+        own.seed += first;
+        auto estimates = estimateScenes(scenes, **bundle, own, options.seconds, progress);
+        contradicting += checkEstimates(scenes, (*bundle)->robot, estimates);
+        csv += estimateCsvRows(scenes, estimates);
+        noted += std::ranges::count_if(estimates, [](const auto& e) { return !e.note.empty(); });
+    });
     if (Status written = writeText(options.out, csv); !written) return written;
-    const auto noted = std::count_if(estimates.begin(), estimates.end(),
-                                     [](const auto& e) { return !e.note.empty(); });
     printText(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
-              estimates.size(), options.out, noted);
+              file->scenes.size(), options.out, noted);
     tellContradictions(options.out, contradicting);
     return Done{};
 }

@@ -42,18 +42,25 @@ std::vector<Scene> without(const MissingCase& lacks, std::vector<Scene> scenes)
     return scenes;
 }
 
-/// Prints a line of the table and writes the same line to the file.
+/// Prints a line of the table and returns the same line for the file.
 std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes,
-                      const std::vector<SceneEstimate>& estimates, const std::string& label)
+                      const EstimatorBundle& bundle, const Settings& settings, double seconds)
 {
+    const std::string label = labelOf(settings);
     std::vector<BinError> errors;
     std::size_t estimated = 0;
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-        if (!estimates[k].estimate) continue;
-        ++estimated;
-        const auto more = binErrors(k, scenes[k], label, *estimates[k].estimate);
-        errors.insert(errors.end(), more.begin(), more.end());
-    }
+    Progress progress = sceneProgress(settings.method, scenes.size());
+    forParts(scenes, [&](std::size_t first, std::span<const Scene> part) {
+        Settings own = settings;
+        own.seed += first;
+        const auto estimates = estimateScenes(part, bundle, own, seconds, progress);
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            if (!estimates[k].estimate) continue;
+            ++estimated;
+            const auto more = binErrors(first + k, part[k], label, *estimates[k].estimate);
+            errors.insert(errors.end(), more.begin(), more.end());
+        }
+    });
     const ErrorStatistics s = statistics(errors);
     printText("{:<20}  {:<9}  {:>7}  {:>8.1f}  {:>6.1f}  {:>6.1f} %  {:>6.1f}\n", lacks.name, label,
               estimated, 1000.0 * s.median, 1000.0 * s.mean, 100.0 * s.coverage, 1000.0 * s.width);
@@ -73,9 +80,7 @@ Status printMissingSensors(const std::vector<Scene>& scenes, const EstimatorBund
         for (const MissingCase& lacks : missingCases()) {
             Settings settings = options.settings;
             settings.method = method;
-            const std::vector<Scene> left = without(lacks, scenes);
-            csv += judgeCase(lacks, left, estimateScenes(left, bundle, settings, options.seconds),
-                             labelOf(settings));
+            csv += judgeCase(lacks, without(lacks, scenes), bundle, settings, options.seconds);
         }
     return writeFileAtomically((std::filesystem::path(options.out) / "missing.csv").string(), csv);
 }

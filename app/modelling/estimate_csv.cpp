@@ -95,10 +95,19 @@ void addRows(std::string& csv, const Scene& scene, const std::string& note)
 std::string estimateCsv(const std::vector<Scene>& scenes,
                         const std::vector<SceneEstimate>& estimates)
 {
+    return estimateCsvHeader() + estimateCsvRows(scenes, estimates);
+}
+
+std::string estimateCsvHeader()
+{
+    return "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
+           "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict\n";
+}
+
+std::string estimateCsvRows(std::span<const Scene> scenes, std::span<const SceneEstimate> estimates)
+{
     if (scenes.size() != estimates.size()) throw std::invalid_argument("one estimate per scene");
-    std::string csv =
-        "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
-        "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict\n";
+    std::string csv;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         if (const auto& estimate = estimates[k].estimate)
             addRows(csv, scenes[k], *estimate, estimates[k].note);

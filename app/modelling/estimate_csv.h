@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,10 @@ namespace terratact {
 /// scenes and estimates have the same size.
 std::string estimateCsv(const std::vector<Scene>& scenes,
                         const std::vector<SceneEstimate>& estimates);
+
+/// The header and the rows alone, for a file that is written in parts. The rows throw as above.
+std::string estimateCsvHeader();
+std::string estimateCsvRows(std::span<const Scene> scenes,
+                            std::span<const SceneEstimate> estimates);
 
 }  // namespace terratact

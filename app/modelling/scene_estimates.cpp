@@ -9,8 +9,6 @@
 #include <random>
 #include <utility>
 
-#include "app/runtime/parallel.h"
-#include "app/runtime/progress.h"
 #include "app/runtime/time_budget.h"
 #include "core/atem/probe/arm_choice.h"
 #include "core/infer/estimate_batch.h"
@@ -174,12 +172,23 @@ SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
     return std::move(work.estimates.front());
 }
 
-std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
+Progress sceneProgress(Method method, std::size_t scenes)
+{
+    return {fmt::format("{}: scene", name(method)), static_cast<int>(scenes)};
+}
+
+std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
                                           const EstimatorBundle& bundle, const Settings& settings,
                                           double seconds)
 {
-    Progress progress(fmt::format("{}: scene", name(settings.method)),
-                      static_cast<int>(scenes.size()));
+    Progress progress = sceneProgress(settings.method, scenes.size());
+    return estimateScenes(scenes, bundle, settings, seconds, progress);
+}
+
+std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
+                                          const EstimatorBundle& bundle, const Settings& settings,
+                                          double seconds, Progress& progress)
+{
     const int threads = processors();
     Work work{scenes,
               bundle,
@@ -198,7 +207,7 @@ std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
     return std::move(work.estimates);
 }
 
-std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
+std::size_t checkEstimates(std::span<const Scene> scenes, const RobotModel& robot,
                            std::vector<SceneEstimate>& estimates)
 {
     std::atomic<std::size_t> contradicting{0};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -7,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/runtime/parallel.h"
+#include "app/runtime/progress.h"
 #include "core/base/message.h"
 #include "core/infer/estimator.h"
 #include "core/learn/data/scene.h"
@@ -56,14 +60,30 @@ SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
                             const Settings& settings, double seconds = 0.0);
 
 /// Estimates all scenes on all cores. Each core runs several at a time (EstimateBatch), unless `seconds` limits them.
-/// Scene k uses settings.seed + k. The results are bit-identical to estimateScene().
-std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
+/// Scene k uses settings.seed + k. The results are bit-identical to estimateScene(). progress: counts the scenes.
+std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
+                                          const EstimatorBundle& bundle, const Settings& settings,
+                                          double seconds, Progress& progress);
+/// The same with a progress of its own.
+std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
                                           const EstimatorBundle& bundle, const Settings& settings,
                                           double seconds = 0.0);
+/// Returns the progress of a method over all scenes.
+Progress sceneProgress(Method method, std::size_t scenes);
+
+/// Calls work(first, part) for parts of the scenes, in order. The draws of an estimate need 90 kB, so the estimates of a
+/// large file do not fit in memory at once. first: number of the part's first scene.
+template <class AnyScene, class Work>
+void forParts(const std::vector<AnyScene>& scenes, Work work)
+{
+    const auto most = static_cast<std::size_t>(std::max(32, 4 * processors()));
+    for (std::size_t first = 0; first < scenes.size(); first += most)
+        work(first, std::span(scenes).subspan(first, std::min(most, scenes.size() - first)));
+}
 
 /// Places the robot on every estimate's ground (core/sim/posterior_check.h), on all cores. An estimate that contradicts
 /// its scene's readings gets a warning and a note. Returns the number of contradictions.
-std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
+std::size_t checkEstimates(std::span<const Scene> scenes, const RobotModel& robot,
                            std::vector<SceneEstimate>& estimates);
 
 }  // namespace terratact

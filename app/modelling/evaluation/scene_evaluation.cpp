@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/modelling/trials/probe_trials.h"
@@ -49,12 +50,14 @@ void append(std::vector<Entry>& into, const std::vector<Entry>& more)
     into.insert(into.end(), more.begin(), more.end());
 }
 
-/// Adds the errors and forecasts of a method or baseline and reports its run. run: label and time.
-void judgeEstimates(MethodRun run, const Workload& work,
-                    const std::vector<SceneEstimate>& estimates, Findings& findings)
+/// Adds the errors and forecasts of a part to a method's or baseline's run. first: number of the part's first scene
+/// among all.
+void judgeEstimates(MethodRun& run, std::size_t first, std::span<const Scene> scenes,
+                    const std::vector<SceneEstimate>& estimates, double stepLimit,
+                    Findings& findings)
 {
-    run.scenes = work.scenes.size();
-    for (std::size_t k = 0; k < work.scenes.size(); ++k) {
+    run.scenes += scenes.size();
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
         const auto& estimate = estimates[k].estimate;
         if (!estimate) {
             ++run.failed;
@@ -63,31 +66,48 @@ void judgeEstimates(MethodRun run, const Workload& work,
         run.converged += estimate->converged ? 1 : 0;
         run.endedBySweeps += estimate->ending == Ending::Sweeps ? 1 : 0;
         run.endedByTime += estimate->ending == Ending::Time ? 1 : 0;
-        const std::size_t number = work.first + k;
-        append(findings.errors, keptErrors(number, work.scenes[k], run.label, *estimate));
+        append(findings.errors, keptErrors(first + k, scenes[k], run.label, *estimate));
         append(findings.steps,
-               stepForecasts(number, work.scenes[k], run.label, *estimate, work.options.stepLimit));
+               stepForecasts(first + k, scenes[k], run.label, *estimate, stepLimit));
     }
-    work.ended(run);
-    findings.runs.push_back(std::move(run));
+}
+
+/// Adds the trials of a part to those of each rule.
+void addTrials(std::vector<ProbeRun>& all, std::vector<ProbeRun> part)
+{
+    if (all.empty()) {
+        all = std::move(part);
+        return;
+    }
+    for (std::size_t rule = 0; rule < all.size(); ++rule)
+        append(all[rule].trials, part.at(rule).trials);
 }
 
 void judgeMethod(Method method, const Workload& work, Findings& findings)
 {
     Settings settings = work.options.settings;
     settings.method = method;
-    Settings ofFirst = settings;
-    ofFirst.seed += work.first;
+    const EvaluateOptions& options = work.options;
     MethodRun run{.label = labelOf(settings)};
-    const Stopwatch watch;
-    auto estimates = estimateScenes(work.scenes, work.bundle, ofFirst, work.options.seconds);
-    run.seconds = watch.seconds();
-    if (work.options.probes && !usesArm(method))
-        append(findings.probes,
-               tryProbeRules(run.label, work.scenes, estimates, work.first, work.bundle, settings,
-                             work.options.stepLimit, work.options.seconds));
-    run.contradicting = checkEstimates(work.scenes, work.bundle.robot, estimates);
-    judgeEstimates(std::move(run), work, estimates, findings);
+    std::vector<ProbeRun> probes;
+    Progress progress = sceneProgress(method, work.scenes.size());
+    forParts(work.scenes, [&](std::size_t begin, std::span<const Scene> scenes) {
+        const std::size_t first = work.first + begin;
+        Settings ofFirst = settings;
+        ofFirst.seed += first;
+        const Stopwatch watch;
+        auto estimates = estimateScenes(scenes, work.bundle, ofFirst, options.seconds, progress);
+        run.seconds += watch.seconds();
+        if (options.probes && !usesArm(method))
+            addTrials(probes, tryProbeRules(run.label, scenes, estimates, first, work.bundle,
+                                            settings, options.stepLimit, options.seconds));
+        run.contradicting =
+            run.contradicting.value_or(0) + checkEstimates(scenes, work.bundle.robot, estimates);
+        judgeEstimates(run, first, scenes, estimates, options.stepLimit, findings);
+    });
+    append(findings.probes, probes);
+    work.ended(run);
+    findings.runs.push_back(std::move(run));
 }
 
 SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot,
@@ -106,15 +126,21 @@ void judgeBaselines(const Workload& work, Findings& findings)
         parallelFor(count, each);
     };
     for (const auto& baseline : fitBaselines(bundle.robot, bundle.model.data, sideBySide)) {
-        std::vector<SceneEstimate> estimates(work.scenes.size());
-        const Stopwatch watch;
-        parallelFor(static_cast<int>(work.scenes.size()), [&](int n) {
-            const auto k = static_cast<std::size_t>(n);
-            estimates[k] = estimateBaseline(*baseline, bundle.robot, work.scenes[k],
-                                            work.options.settings.seed + work.first + k);
+        MethodRun run{.label = std::string(baseline->name())};
+        forParts(work.scenes, [&](std::size_t begin, std::span<const Scene> scenes) {
+            const std::size_t first = work.first + begin;
+            std::vector<SceneEstimate> estimates(scenes.size());
+            const Stopwatch watch;
+            parallelFor(static_cast<int>(scenes.size()), [&](int n) {
+                const auto k = static_cast<std::size_t>(n);
+                estimates[k] = estimateBaseline(*baseline, bundle.robot, scenes[k],
+                                                work.options.settings.seed + first + k);
+            });
+            run.seconds += watch.seconds();
+            judgeEstimates(run, first, scenes, estimates, work.options.stepLimit, findings);
         });
-        judgeEstimates({.label = std::string(baseline->name()), .seconds = watch.seconds()}, work,
-                       estimates, findings);
+        work.ended(run);
+        findings.runs.push_back(std::move(run));
     }
 }
 

@@ -58,13 +58,18 @@ void addUnknown(std::string& csv, const TwoTrackScene& scene)
 
 }  // namespace
 
-std::string twoTrackCsv(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot,
-                        const TrackEstimates& estimates)
+std::string twoTrackCsvHeader()
+{
+    return "run,t_s,side,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,touch,"
+           "truth_m,one_plane,novelty,p_step,side_verdict,p_either,cross_slope_rad,"
+           "p_slope,verdict,text\n";
+}
+
+std::string twoTrackCsvRows(std::span<const TwoTrackScene> scenes, const RobotModel& robot,
+                            const TrackEstimates& estimates)
 {
     if (scenes.size() != estimates.size()) throw std::invalid_argument("one estimate per scene");
-    std::string csv = "run,t_s,side,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,touch,"
-                      "truth_m,one_plane,novelty,p_step,side_verdict,p_either,cross_slope_rad,"
-                      "p_slope,verdict,text\n";
+    std::string csv;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         if (!estimates[k]) {
             addUnknown(csv, scenes[k]);

@@ -29,6 +29,7 @@ constexpr auto kApproachNames =
 constexpr auto kClassNames = namesOf<TrackClass>("all", "within", "beyond", "symmetric");
 
 using TrackScenes = std::vector<TwoTrackScene>;
+using TrackPart = std::span<const TwoTrackScene>;
 
 TwoTrackEstimate estimateBy(TrackApproach approach, const TwoTrackReadings& s,
                             const EstimatorBundle& bundle, const Settings& settings)
@@ -60,19 +61,18 @@ bool isIn(TrackClass sceneClass, const TwoTrackReadings& s, const Settings& sett
     return false;
 }
 
-/// Returns the errors of both sides. BinError::scene counts scenes.
-std::vector<BinError> errorsOfBoth(const TrackScenes& scenes, const TrackEstimates& estimates)
+/// Adds the errors of both sides. BinError::scene counts scenes; first: number of the first one.
+void addErrorsOfBoth(std::vector<BinError>& errors, std::size_t first, TrackPart scenes,
+                     const TrackEstimates& estimates)
 {
-    std::vector<BinError> errors;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (std::size_t side = 0; estimates[k] && side < 2; ++side) {
             Scene own;
             own.truth = scenes[k].truth[side];
             own.truthSd = scenes[k].truthSd[side];
-            const auto more = binErrors(k, own, {}, estimates[k]->side[side]);
+            const auto more = binErrors(first + k, own, {}, estimates[k]->side[side]);
             errors.insert(errors.end(), more.begin(), more.end());
         }
-    return errors;
 }
 
 std::vector<BinError> those(const std::vector<BinError>& errors,
@@ -110,10 +110,9 @@ std::optional<bool> stepAhead(const OptionalHeights& truth, double limit)
     return hasStep(heights, limit, kFirstAhead);
 }
 
-TrackSteps stepsOf(TrackApproach approach, const TrackScenes& scenes,
-                   const TrackEstimates& estimates, double limit)
+/// Adds the sums of a part; averaged() divides them.
+void addSteps(TrackSteps& steps, TrackPart scenes, const TrackEstimates& estimates, double limit)
 {
-    TrackSteps steps{.approach = approach};
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         const auto left = stepAhead(scenes[k].truth[0], limit);
         const auto right = stepAhead(scenes[k].truth[1], limit);
@@ -132,6 +131,10 @@ TrackSteps stepsOf(TrackApproach approach, const TrackScenes& scenes,
         steps.forecastEither += p;
         steps.observedEither += observed;
     }
+}
+
+TrackSteps averaged(TrackSteps steps)
+{
     const double n = std::max<double>(1.0, static_cast<double>(steps.scenes));
     for (double* sum : {&steps.brierPerSide, &steps.brierEither, &steps.forecastPerSide,
                         &steps.forecastEither, &steps.observedPerSide, &steps.observedEither})
@@ -140,10 +143,10 @@ TrackSteps stepsOf(TrackApproach approach, const TrackScenes& scenes,
 }
 
 /// Counts how the approach Both handled the scenes.
-void countScenes(TrackFindings& findings, const TrackScenes& scenes,
-                 const TrackEstimates& estimates, const Settings& settings)
+void countScenes(TrackFindings& findings, TrackPart scenes, const TrackEstimates& estimates,
+                 const Settings& settings)
 {
-    findings.scenes = scenes.size();
+    findings.scenes += scenes.size();
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         findings.attitude += isIn(TrackClass::Beyond, scenes[k].s, settings) ? 1 : 0;
         if (!estimates[k]) {
@@ -217,7 +220,7 @@ std::string_view name(TrackClass sceneClass)
     return nameIn(kClassNames, sceneClass);
 }
 
-TrackEstimates estimateTracks(TrackApproach approach, const TrackScenes& scenes,
+TrackEstimates estimateTracks(TrackApproach approach, TrackPart scenes,
                               const EstimatorBundle& bundle, const Settings& settings)
 {
     TrackEstimates estimates(scenes.size());
@@ -233,8 +236,7 @@ TrackEstimates estimateTracks(TrackApproach approach, const TrackScenes& scenes,
     return estimates;
 }
 
-std::size_t checkTracks(const TrackScenes& scenes, const RobotModel& robot,
-                        TrackEstimates& estimates)
+std::size_t checkTracks(TrackPart scenes, const RobotModel& robot, TrackEstimates& estimates)
 {
     std::atomic<std::size_t> contradicting{0};
     parallelFor(static_cast<int>(scenes.size()), [&](int k) {
@@ -249,16 +251,20 @@ std::size_t checkTracks(const TrackScenes& scenes, const RobotModel& robot,
 std::vector<double> sideErrors(const TrackScenes& scenes, const RobotModel& robot,
                                const Models& models, const Settings& settings)
 {
-    TrackEstimates estimates(scenes.size());
-    parallelFor(static_cast<int>(scenes.size()), [&](int k) {
-        const auto at = static_cast<std::size_t>(k);
-        try {
-            estimates[at] = estimateByBothSides(scenes[at].s, {}, robot, models, settings);
-        } catch (const std::invalid_argument&) {  // left out
-        }
+    std::vector<BinError> ofBoth;
+    forParts(scenes, [&](std::size_t first, TrackPart part) {
+        TrackEstimates estimates(part.size());
+        parallelFor(static_cast<int>(part.size()), [&](int k) {
+            const auto at = static_cast<std::size_t>(k);
+            try {
+                estimates[at] = estimateByBothSides(part[at].s, {}, robot, models, settings);
+            } catch (const std::invalid_argument&) {  // left out
+            }
+        });
+        addErrorsOfBoth(ofBoth, first, part, estimates);
     });
     std::vector<double> errors;
-    for (const BinError& e : errorsOfBoth(scenes, estimates))
+    for (const BinError& e : ofBoth)
         if (e.bin <= kLastNearBin) errors.push_back(std::abs(e.error));
     return errors;
 }
@@ -279,16 +285,25 @@ TrackFindings evaluateTracks(const TrackScenes& scenes, const EstimatorBundle& b
     TrackFindings findings;
     findings.method = method;
     for (const TrackApproach approach : approaches) {
-        const std::clock_t begin = std::clock();
-        const TrackEstimates estimates = estimateTracks(approach, scenes, bundle, settings);
+        std::clock_t spent = 0;
+        std::vector<BinError> errors;
+        TrackSteps steps{.approach = approach};
+        forParts(scenes, [&](std::size_t first, TrackPart part) {
+            Settings own = settings;
+            own.seed += first;
+            const std::clock_t begin = std::clock();
+            const TrackEstimates estimates = estimateTracks(approach, part, bundle, own);
+            spent += std::clock() - begin;
+            if (approach == approaches.front()) countScenes(findings, part, estimates, settings);
+            addErrorsOfBoth(errors, first, part, estimates);
+            addSteps(steps, part, estimates, options.stepLimit);
+        });
         if (approach == timed)
-            findings.milliseconds = 1000.0 * static_cast<double>(std::clock() - begin)
-                                  / CLOCKS_PER_SEC / static_cast<double>(scenes.size());
-        if (approach == approaches.front()) countScenes(findings, scenes, estimates, settings);
-        const std::vector<BinError> errors = errorsOfBoth(scenes, estimates);
+            findings.milliseconds = 1000.0 * static_cast<double>(spent) / CLOCKS_PER_SEC
+                                  / static_cast<double>(scenes.size());
         if (approach == approaches.front()) findings.truth = truthShare(errors);
         addErrors(findings, approach, scenes, errors, settings);
-        findings.steps.push_back(stepsOf(approach, scenes, estimates, options.stepLimit));
+        findings.steps.push_back(averaged(steps));
     }
     return findings;
 }
@@ -299,12 +314,16 @@ std::vector<TrackMissing> evaluateMissing(const TrackScenes& scenes, const Estim
     std::vector<TrackMissing> missing;
     for (const Lack& lack : kLacks) {
         const TrackScenes left = without(lack, scenes);
-        const TrackEstimates estimates = estimateTracks(
-            TrackApproach::Always, left, bundle, settingsFor(options, options.methods.front()));
-        missing.push_back(
-            {lack.name, statistics(those(errorsOfBoth(left, estimates), [](const BinError& e) {
-                 return e.bin <= kLastNearBin;
-             }))});
+        std::vector<BinError> errors;
+        forParts(left, [&](std::size_t first, TrackPart part) {
+            Settings own = settingsFor(options, options.methods.front());
+            own.seed += first;
+            addErrorsOfBoth(errors, first, part,
+                            estimateTracks(TrackApproach::Always, part, bundle, own));
+        });
+        missing.push_back({lack.name, statistics(those(errors, [](const BinError& e) {
+                               return e.bin <= kLastNearBin;
+                           }))});
     }
     return missing;
 }

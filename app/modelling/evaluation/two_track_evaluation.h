@@ -29,12 +29,12 @@ std::string_view name(TrackApproach approach);
 using TrackEstimates = std::vector<std::optional<TwoTrackEstimate>>;
 
 /// Estimates all scenes on all cores. Scene k uses settings.seed + k.
-TrackEstimates estimateTracks(TrackApproach approach, const std::vector<TwoTrackScene>& scenes,
+TrackEstimates estimateTracks(TrackApproach approach, std::span<const TwoTrackScene> scenes,
                               const EstimatorBundle& bundle, const Settings& settings);
 
 /// Places the robot on every estimate's ground (core/sim/two_track_check.h), on all cores. An estimate that contradicts
 /// its scene's readings gets a warning. Returns the number of contradictions.
-std::size_t checkTracks(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot,
+std::size_t checkTracks(std::span<const TwoTrackScene> scenes, const RobotModel& robot,
                         TrackEstimates& estimates);
 
 /// Returns the error of a model that has no two tracks.

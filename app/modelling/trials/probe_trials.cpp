@@ -48,7 +48,7 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit)
             {"step", byGain(&ProbeGain::entropyReduction)}};
 }
 
-std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
+std::vector<ProbeRun> tryProbeRules(const std::string& label, std::span<const Scene> scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
                                     const EstimatorBundle& bundle, const Settings& settings,
                                     double stepLimit, double seconds)

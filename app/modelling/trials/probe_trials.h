@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit);
 /// Applies every rule to every scene that has an estimate and truth ahead, on all cores. Returns one run per rule with
 /// trials in the order of the scenes. estimates: those of the scenes, without readings. first: number of the first
 /// scene among all. Scene k uses settings.seed + k. seconds: see estimateWith().
-std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
+std::vector<ProbeRun> tryProbeRules(const std::string& label, std::span<const Scene> scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
                                     const EstimatorBundle& bundle, const Settings& settings,
                                     double stepLimit, double seconds = 0.0);
