@@ -131,9 +131,12 @@ void decodeBits(const DbcMessage& message, const CanFrame& frame,
 {
     if (bits.size() != message.payload.size())
         throw std::invalid_argument("decode: a message needs one value for each of its signals");
+    std::size_t left = mostSignals(bytesOf(frame).size());
     for (std::size_t i = 0; i < bits.size(); ++i) {
         const DbcSignal& signal = message.payload[i];
-        bits[i] = isSelected(message, signal, frame) ? bitsOf(signal, frame) : std::nullopt;
+        const bool isWanted = left > 0 && isSelected(message, signal, frame);
+        bits[i] = isWanted ? bitsOf(signal, frame) : std::nullopt;
+        left -= bits[i].has_value();
     }
 }
 
@@ -151,12 +154,11 @@ std::optional<double> valueOf(const DbcSignal& signal, const CanFrame& frame)
 void decode(const DbcMessage& message, const CanFrame& frame,
             std::span<std::optional<double>> values)
 {
-    if (values.size() != message.payload.size())
-        throw std::invalid_argument("decode: a message needs one value for each of its signals");
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const DbcSignal& signal = message.payload[i];
-        values[i] = isSelected(message, signal, frame) ? valueOf(signal, frame) : std::nullopt;
-    }
+    std::vector<std::optional<std::uint64_t>> bits(values.size());
+    decodeBits(message, frame, bits);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] =
+            bits[i] ? std::optional(physicalOf(message.payload[i], *bits[i])) : std::nullopt;
 }
 
 const std::string* wordOfBits(const DbcSignal& signal, std::uint64_t bits)

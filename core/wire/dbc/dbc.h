@@ -77,8 +77,16 @@ std::uint32_t parameterGroupOf(std::uint32_t id);
 /// too short, or is no data frame.
 std::optional<std::uint64_t> bitsOf(const DbcSignal& signal, const CanFrame& frame);
 
+/// Returns the most signals that a frame of so many bytes is decoded to: one for each bit, and 8
+/// more, because signals may overlap.
+constexpr std::size_t mostSignals(std::size_t bytes)
+{
+    return 8 * bytes + 8;
+}
+
 /// Writes the bits of all signals of a message, in its order. Signals that a multiplexor does not
-/// select are empty too. Throws std::invalid_argument unless `bits` has one element per signal.
+/// select are empty too, and signals beyond the first mostSignals() of the frame. Throws
+/// std::invalid_argument unless `bits` has one element per signal.
 void decodeBits(const DbcMessage& message, const CanFrame& frame,
                 std::span<std::optional<std::uint64_t>> bits);
 

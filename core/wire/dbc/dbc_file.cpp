@@ -74,7 +74,7 @@ private:
         if (keyword == "VAL_") words(line);
         if (keyword == "SIG_VALTYPE_") valueType(line);
         if (keyword == "SG_MUL_VAL_") selections(line);
-        if (keyword == "BA_") attribute();
+        if (keyword == "BA_") attribute(line);
         if (keyword == "BA_DEF_") attributeKind();
         if (keyword == "BA_DEF_DEF_") attributeDefault();
         if (!keyword.empty() && !isDbcKeyword(keyword))
@@ -111,8 +111,8 @@ private:
                 line, TR_NOOP("core", "the name of a table of words (VAL_TABLE_) is passed over"));
         while (scan_.failure().empty() && !scan_.isNext(';') && !scan_.atEnd()) {
             const double raw = scan_.number(TR_NOOP("core", "a raw value"));
-            std::string word =
-                readable(scan_.text(TR_NOOP("core", "the word of a raw value")), kDbcText, false);
+            constexpr SourceText kWhat = TR_NOOP("core", "the word of a raw value");
+            std::string word = warnings_.readableUpTo(kDbcWord, scan_.text(kWhat), kWhat, line);
             // The highest 64-bit values are no exact doubles; they get no text.
             if (place && std::abs(raw) <= 0x1p53)
                 messages_.at(*place).words[static_cast<std::int64_t>(std::round(raw))] =
@@ -160,7 +160,7 @@ private:
     }
 
     // Reads "BA_ "GenMsgCycleTime" BO_ 256 100;".
-    void attribute()
+    void attribute(int line)
     {
         const std::string name =
             readable(scan_.text(TR_NOOP("core", "an attribute's name")), kDbcName, false);
@@ -169,27 +169,33 @@ private:
             return;
         }
         const std::string_view of = scan_.wordIfAny();
-        if (of == "SG_" && name == "SystemSignalLongSymbol") return signalName();
+        if (of == "SG_" && name == "SystemSignalLongSymbol") return signalName(line);
         if (of != "BO_") return;
         std::size_t index = 0;
         DbcMessage* m = messages_.messageNext(&index);
-        if (name == "SystemMessageLongSymbol") return messageName(m);
+        if (name == "SystemMessageLongSymbol") return messageName(m, line);
         if (name == "VFrameFormat") return frameFormat(m, index);
         if (scan_.isNext('"')) return;
         const double value = scan_.number(TR_NOOP("core", "the attribute's value"));
         if (m) m->attributes[name] = value;
     }
 
-    void signalName()
+    std::string longName(int line)
+    {
+        constexpr SourceText kWhat = TR_NOOP("core", "a long name");
+        return warnings_.readableUpTo(kDbcName, scan_.text(kWhat), kWhat, line);
+    }
+
+    void signalName(int line)
     {
         const auto place = messages_.signalNext();
-        std::string name = readable(scan_.text(TR_NOOP("core", "a long name")), kDbcName, false);
+        std::string name = longName(line);
         if (place && !name.empty()) messages_.rename(*place, std::move(name));
     }
 
-    void messageName(DbcMessage* m)
+    void messageName(DbcMessage* m, int line)
     {
-        std::string name = readable(scan_.text(TR_NOOP("core", "a long name")), kDbcName, false);
+        std::string name = longName(line);
         if (m && !name.empty()) m->name = std::move(name);
     }
 

@@ -27,8 +27,10 @@ struct DbcFile {
 ///
 /// A line or signal that is not understood, impossible or a duplicate is skipped; a warning names
 /// its line. So is a signal beyond the first DbcMessage::kMaxSignals of a message, and a comment
-/// without its closing quotation mark. If the file describes no message, the Error names the first
-/// thing that was skipped.
+/// without its closing quotation mark. Units, value texts and long names are cut (kDbcUnit,
+/// kDbcWord, kDbcName), with a warning that names the line. A warning also names a message of which
+/// one frame can have more signals than are decoded (mostSignals()). If the file describes no
+/// message, the Error names the first thing that was skipped.
 Result<DbcFile> readDbc(const std::string& path);
 
 /// Reads the same from a text; errors and warnings call it `path`.

@@ -35,6 +35,45 @@ std::vector<DbcSignal::Selection> withoutOverlap(std::vector<DbcSignal::Selectio
     return merged;
 }
 
+using SignalsBelow = std::vector<std::vector<std::size_t>>;  // of each signal as a multiplexor
+
+/// Returns the most signals that a frame may have with this one: itself, and those that one of its
+/// values selects.
+std::size_t mostWith(const DbcMessage& m, const SignalsBelow& below, std::size_t signal)
+{
+    std::vector<std::pair<std::uint64_t, std::size_t>> firsts, lasts;  // values, and their signals
+    for (const std::size_t i : below[signal]) {
+        const std::size_t signals = mostWith(m, below, i);
+        for (const DbcSignal::Selection& range : m.payload[i].selectedBy) {
+            if (range.first > range.last) continue;
+            firsts.emplace_back(range.first, signals);
+            lasts.emplace_back(range.last, signals);
+        }
+    }
+    std::ranges::sort(firsts);
+    std::ranges::sort(lasts);
+    std::size_t selected = 0, most = 0;
+    auto ended = lasts.begin();
+    for (const auto& [first, signals] : firsts) {
+        for (; ended->first < first; ++ended) selected -= ended->second;
+        selected += signals;
+        most = std::max(most, selected);
+    }
+    return 1 + most;
+}
+
+/// Returns the most signals that a frame of a message may have, whatever its length.
+std::size_t mostAtOnce(const DbcMessage& m)
+{
+    SignalsBelow below(m.payload.size());
+    for (std::size_t i = 0; i < m.payload.size(); ++i)
+        if (m.payload[i].selector) below[*m.payload[i].selector].push_back(i);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < m.payload.size(); ++i)
+        if (!m.payload[i].selector) most += mostWith(m, below, i);
+    return most;
+}
+
 }  // namespace
 
 void DbcWarnings::add(Message what)
@@ -50,6 +89,16 @@ void DbcWarnings::add(int line, const Message& what)
 void DbcWarnings::addEntry(int line, const Message& failure)
 {
     list(line, Message(TR_NOOP("core", "%1; this entry is left out"), failure));
+}
+
+std::string DbcWarnings::readableUpTo(std::size_t most, std::string_view text, SourceText what,
+                                      int line)
+{
+    std::string whole = readable(text, text.size(), false);
+    if (whole.size() <= most) return whole;
+    add(line,
+        Message(TR_NOOP("core", "%1 is longer than %2 bytes: the rest is left out"), what, most));
+    return readable(text, most, false);
 }
 
 void DbcWarnings::list(int line, Message what)
@@ -94,6 +143,7 @@ void DbcMessages::message(int line)
     m.length = length;
     byId_.emplace(id, file_.messages.size());
     file_.messages.push_back(std::move(m));
+    begins_.push_back(line);
     lines_.push_back(0);
 }
 
@@ -149,7 +199,7 @@ void DbcMessages::signal(int line)
                                     Message(TR_NOOP("core", "a quotation mark at the end of %1"),
                                             TR_NOOP("core", "the signal's unit")),
                                     TR_NOOP("core", "the end of the line")));
-    s.unit = readable(unit, kDbcText, false);
+    s.unit = warnings_.readableUpTo(kDbcUnit, unit, TR_NOOP("core", "the signal's unit"), line);
     s.receivers = readable(scan_.restOfLine(), kDbcText, false);
     s.receivers.erase(0, std::min(s.receivers.find_first_not_of(' '), s.receivers.size()));
     s.receivers.erase(s.receivers.find_last_not_of(' ') + 1);
@@ -319,7 +369,23 @@ std::vector<bool> DbcMessages::unselectable(std::size_t message) const
 void DbcMessages::finish()
 {
     for (auto& [place, longName] : longNames_) at(place).name = std::move(longName);
-    for (std::size_t i = 0; i < file_.messages.size(); ++i) finish(i, unselectable(i));
+    for (std::size_t i = 0; i < file_.messages.size(); ++i) {
+        finish(i, unselectable(i));
+        warnOfOverlap(i);
+    }
+}
+
+void DbcMessages::warnOfOverlap(std::size_t message)
+{
+    const DbcMessage& m = file_.messages[message];
+    const std::size_t most = mostSignals(static_cast<std::size_t>(m.length));
+    if (m.payload.size() <= most) return;
+    const std::size_t atOnce = mostAtOnce(m);
+    if (atOnce <= most) return;
+    warnings_.add(begins_[message],
+                  Message(TR_NOOP("core", "the message %1 describes up to %2 signals in a frame of "
+                                          "%3 bytes: only the first %4 of a frame are read"),
+                          m.name, atOnce, m.length, most));
 }
 
 void DbcMessages::finish(std::size_t message, std::vector<bool> isOut)

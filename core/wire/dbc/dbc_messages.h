@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ public:
     void add(int line, const Message& what);
     /// Adds that the entry of that line is left out. failure: names its own line.
     void addEntry(int line, const Message& failure);
+    /// Returns readable() of a text, on one line. Adds a warning if the text is cut.
+    std::string readableUpTo(std::size_t most, std::string_view text, SourceText what, int line);
     void end();  ///< adds the number of further warnings, and their lines
 
 private:
@@ -82,13 +85,15 @@ private:
     void keep(DbcSignal s, const Multiplexing& multiplexing);
     std::vector<bool> unselectable(std::size_t message) const;
     void finish(std::size_t message, std::vector<bool> isOut);
+    void warnOfOverlap(std::size_t message);
 
     DbcScanner& scan_;
     DbcFile& file_;
     DbcWarnings& warnings_;
     std::unordered_map<std::uint64_t, std::size_t> byId_;
     std::map<std::pair<std::size_t, std::string>, std::size_t> signals_;
-    std::vector<int> lines_;  // line of the first multiplexed signal of each message
+    std::vector<int> begins_;  // line of each message
+    std::vector<int> lines_;   // line of the first multiplexed signal of each message
     std::map<std::size_t, std::set<std::size_t>> leftOut_;
     std::vector<std::pair<Place, std::string>> longNames_;
 

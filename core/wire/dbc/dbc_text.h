@@ -9,6 +9,7 @@ namespace terratact {
 // Texts of a DBC file, written by any program in one of two encodings.
 
 inline constexpr std::size_t kDbcName = 128, kDbcText = 2000;  ///< [bytes] longest name and text
+inline constexpr std::size_t kDbcUnit = 64, kDbcWord = 255;    ///< [bytes] of a signal's values
 inline constexpr std::size_t kDbcShown = 80;  ///< [bytes] longest text in a line for people
 
 bool isUtf8(std::string_view text);

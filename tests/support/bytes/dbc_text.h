@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,16 @@ inline DbcSignal onlySignal(const std::string& place, const std::string& more = 
 {
     return onlyMessage("BO_ 256 M: 8 A\n SG_ S : " + place + " [0|0] \"\" B\n" + more)
         .payload.at(0);
+}
+
+/// Signals S0, S1 … of a message. S0 is a multiplexor; each of its values selects few of the others.
+inline std::string multiplexedSignals(std::size_t count)
+{
+    std::string text = " SG_ S0 M : 0|8@1+ (1,0) [0|0] \"\" B\n";
+    for (std::size_t i = 1; i < count; ++i)
+        text += " SG_ S" + std::to_string(i) + " m" + std::to_string(i % 128)
+              + " : 8|8@1+ (1,0) [0|0] \"\" B\n";
+    return text;
 }
 
 inline CanFrame frameOfBytes(const std::vector<std::uint8_t>& bytes)

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/wire/dbc/dbc.h"
 #include "core/wire/dbc/dbc_file.h"
@@ -29,10 +33,8 @@ TEST(DbcBounds, nameTheLinesOfFurtherFaults)
 
 TEST(DbcBounds, signalsBeyondTheMostLeaveTheFirst)
 {
-    std::string text = "BO_ 256 M: 8 A\n";
-    for (std::size_t i = 0; i < DbcMessage::kMaxSignals + 2; ++i)
-        text += " SG_ S" + std::to_string(i) + " : 0|8@1+ (1,0) [0|0] \"\" B\n";
-    const Result<DbcFile> file = parsed(text + "BO_ 257 N: 8 A\n");
+    const std::string signals = multiplexedSignals(DbcMessage::kMaxSignals + 2);
+    const Result<DbcFile> file = parsed("BO_ 256 M: 8 A\n" + signals + "BO_ 257 N: 8 A\n");
     ASSERT_TRUE(file) << file.error().text;
     ASSERT_EQ(file->messages.size(), 2U);
     EXPECT_EQ(file->messages[0].payload.size(), DbcMessage::kMaxSignals);
@@ -40,6 +42,72 @@ TEST(DbcBounds, signalsBeyondTheMostLeaveTheFirst)
     EXPECT_EQ(file->warnings[0].english(), "f.dbc: line 4098: the signal S4096 is left out: its "
                                            "message M has more than 4096 signals");
     EXPECT_TRUE(file->warnings[1].english().starts_with("f.dbc: line 4099: the signal S4097"));
+}
+
+TEST(DbcBounds, longTextsOfValuesAreCutWithTheirLine)
+{
+    const std::string name(129, 'n'), word = std::string(254, 'w') + "ä";
+    const Result<DbcFile> file =
+        parsed("BO_ 256 M: 8 A\n SG_ S : 0|8@1+ (1,0) [0|0] \"" + std::string(63, 'u')
+               + "°C\" B\nVAL_ 256 S 0 \"" + word + "\" 1 \"" + std::string(255, 'w')
+               + "\" ;\nBA_ \"SystemSignalLongSymbol\" SG_ 256 S \"" + name + "\";\n");
+    ASSERT_TRUE(file) << file.error().text;
+    const DbcSignal& s = file->messages.at(0).payload.at(0);
+    EXPECT_EQ(s.unit, std::string(63, 'u') + "…") << "cut between two characters";
+    EXPECT_EQ(s.words.at(0), std::string(254, 'w') + "…");
+    EXPECT_EQ(s.words.at(1), std::string(255, 'w'));
+    EXPECT_EQ(s.name, std::string(128, 'n') + "…");
+    ASSERT_EQ(file->warnings.size(), 3U);
+    EXPECT_EQ(file->warnings[0].english(),
+              "f.dbc: line 2: the signal's unit is longer than 64 bytes: the rest is left out");
+    EXPECT_EQ(file->warnings[1].english(), "f.dbc: line 3: the word of a raw value is longer than "
+                                           "255 bytes: the rest is left out");
+    EXPECT_EQ(file->warnings[2].english(),
+              "f.dbc: line 4: a long name is longer than 128 bytes: the rest is left out");
+}
+
+/// Returns signals S0, S1 … of the first bit. multiplexing: of each, with a blank before it.
+std::string firstBits(std::size_t count, const std::string& multiplexing = "")
+{
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
+        text += " SG_ S" + std::to_string(i) + multiplexing + " : 0|1@1+ (1,0) [0|0] \"\" B\n";
+    return text;
+}
+
+TEST(DbcBounds, moreSignalsThanAFrameHasBitsAreNamed)
+{
+    const std::string selector = " SG_ X M : 0|8@1+ (1,0) [0|0] \"\" B\n";
+    const std::string middle = " SG_ Y m1M : 8|8@1+ (1,0) [0|0] \"\" B\n";
+    std::string nested = "BO_ 256 M: 1 A\n" + selector + firstBits(15, " m1");
+    EXPECT_TRUE(parsed(nested)->warnings.empty()) << "with X there are 16";
+    nested = "BO_ 256 M: 2 A\n" + selector + middle + firstBits(23, " m0");
+    for (int i = 0; i < 23; ++i)
+        nested += "SG_MUL_VAL_ 256 S" + std::to_string(i) + " Y 2-2, 4-18446744073709551615;\n";
+    nested += "SG_MUL_VAL_ 256 Y X 1-1;\n";
+    const std::string plain = "\nBO_ 257 N: 1 A\n" + firstBits(17);
+    const Result<DbcFile> file = parsed(nested + plain);
+    ASSERT_TRUE(file) << file.error().text;
+    ASSERT_EQ(file->warnings.size(), 2U);
+    EXPECT_EQ(file->warnings[0].english(),
+              "f.dbc: line 1: the message M describes up to 25 signals in a frame of 2 bytes: only "
+              "the first 24 of a frame are read");
+    EXPECT_EQ(
+        file->warnings[1].english(),
+        "f.dbc: line 52: the message N describes up to 17 signals in a frame of 1 bytes: only "
+        "the first 16 of a frame are read");
+}
+
+TEST(DbcBounds, signalsOfDifferentPagesDoNotCountTogether)
+{
+    const DbcMessage m = onlyMessage("BO_ 256 M: 8 A\n" + multiplexedSignals(4096));
+    EXPECT_EQ(m.payload.size(), 4096U);
+    EXPECT_TRUE(parsed("BO_ 256 M: 8 A\n" + multiplexedSignals(4096))->warnings.empty());
+    std::vector<std::optional<std::uint64_t>> bits(m.payload.size());
+    decodeBits(m, frameOfBytes({127, 1, 2, 3, 4, 5, 6, 7}), bits);
+    EXPECT_EQ(std::ranges::count_if(bits, [](const auto& b) { return b.has_value(); }), 33)
+        << "S0, and each 128th";
+    EXPECT_TRUE(bits[4095].has_value());
 }
 
 }  // namespace

@@ -226,6 +226,24 @@ TEST(DbcMultiplexing, anyRangesSelectTheirValues)
     }
 }
 
+TEST(DbcSignals, ofAFrameAreAtMostItsBitsAndEightMore)
+{
+    std::string text = "BO_ 256 M: 8 A\n";
+    for (int i = 0; i < 100; ++i)
+        text += " SG_ S" + std::to_string(i) + " : 0|8@1+ (1,0) [0|0] \"\" B\n";
+    const DbcMessage m = onlyMessage(text);
+    const auto decoded = [&](const std::vector<std::uint8_t>& bytes) {
+        std::vector<std::optional<double>> values(m.payload.size());
+        decode(m, frameOfBytes(bytes), values);
+        const auto end = std::ranges::find(values, std::optional<double>());
+        EXPECT_TRUE(std::all_of(end, values.end(), [](const auto& v) { return !v; }));
+        return end - values.begin();
+    };
+    EXPECT_EQ(decoded({1}), 16) << "all bits, the byte and more";
+    EXPECT_EQ(decoded({1, 2, 3, 4, 5, 6, 7, 8}), 72) << "all bits and bytes";
+    EXPECT_EQ(decoded({}), 0);
+}
+
 TEST(ShippedDbc, decodesEveryFrameExactlyAsTheCodec)
 {
     const auto file = readDbc(TERRATACT_SOURCE_DIR "/resources/dbc/terratact.dbc");
