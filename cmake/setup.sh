@@ -31,7 +31,7 @@ declare -A packages=(
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev libsdl2-dev make bzip2 fonts-dejavu-core"
   [unit]="libgtest-dev librapidcheck-dev libbenchmark-dev python3"
-  [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
+  [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy gnupg
           python3-can python3-rosbag python3-sensor-msgs python3-nav-msgs pcl-tools can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
   [tidy]="clang clang-tidy clang-format lld git"
@@ -103,10 +103,10 @@ install_packages() {
     fail "apt-get install failed: $(grep '^E:' "$log" | tail -n 1) (all of it in ${log#"$PWD"/})"
 }
 
-# Sets what differs between Debian and Ubuntu: mirror (as this machine uses it), keyring, components, and the suites that
-# may hold a newer source. Ubuntu's mirrors of other architectures hold no sources.
+# Sets what differs between Debian and Ubuntu (docs/packages.md): mirror (as this machine uses it), keyring, components,
+# and the suites that may hold a newer source. Ubuntu's mirrors of other architectures hold no sources.
 describe_archive() {
-  local id release
+  local id release key_package
   # shellcheck disable=SC1090,SC1091
   read -r id release < <(. "$os_release" && echo "${ID:-} ${ID_LIKE:-} ${UBUNTU_CODENAME:-${VERSION_CODENAME:-none}}" |
     awk '{ print (/ubuntu/ ? "ubuntu" : "debian"), $NF }')
@@ -116,21 +116,23 @@ describe_archive() {
   if [ "$id" = ubuntu ]; then
     mirror=$(sed 's|//ports\.|//archive.|; s|/ubuntu-ports|/ubuntu|' <<<"$mirror")
     keyring=$keyrings/ubuntu-archive-keyring.gpg
+    key_package=ubuntu-keyring  # Debian names its package of these keys ubuntu-archive-keyring
     components="main universe"
     suites="$release devel"
   else
     keyring=$keyrings/debian-archive-keyring.gpg
+    key_package=debian-archive-keyring
     components=main
     suites="$release trixie forky sid"
   fi
   [ -n "$mirror" ] || fail "found no mirror of $id $release in the apt sources"
-  [ -e "$keyring" ] || fail "the key of the archive is missing: install $(basename "$keyring" .gpg)"
+  [ -e "$keyring" ] || fail "the key of the archive is missing: install $key_package"
 }
 
 # fetch_source PACKAGE LEAST DIR: puts a source tarball of the major version of LEAST into DIR. It comes from the first
 # suite that has LEAST or newer, through a private set of apt lists. apt trusts only an index that the archive's key
 # signed, and checks the tarball by that index. The machine's configuration cannot relax this. An index may be old:
-# a mirror may stand still, and the tarball is checked all the same.
+# a mirror may stand still, and the tarball is checked all the same. If no suite has it, DIR is removed.
 fetch_source() {
   local package=$1 least=$2 dir=$3 suite version mirror keyring components suites
   describe_archive
@@ -152,6 +154,7 @@ fetch_source() {
     fi
     rm -f "$dir/$package"_*
   done
+  rm -rf "$dir"
   fail "no suite of the mirror ($suites) gave a signed source of $package ${least%%.*}, $least or newer (see ${log#"$PWD"/})"
 }
 
