@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# Cross-builds for arm64 in a Debian 12 of this machine's architecture, and tests there under qemu-user; needs root and a
-# network:
-#   cmake/arm64.sh [package] [tests] [numbers]      without names: all
+# Cross-builds for arm64 in a clean Debian of this machine's architecture, and tests there under qemu-user; needs root and
+# a network:
+#   cmake/arm64.sh [bookworm|trixie] [package] [tests] [numbers]      default: bookworm; without names: all
 #   package  builds the arm64 package; lintian, apt-get install, both programs, apt-get purge
 #   tests    builds and runs the tests of the core, without those that $slow names
 #   numbers  estimates the same scenes by the arm64 program and by $BESIDE, a `terratact` of this machine; prints
 #            the largest differences
-# It builds the committed files. The Debian is in $ROOT, else build/arm64/root, and is used again. build/arm64 has the
-# package, the logs, the pictures, and table.txt, the steps with their seconds. If $CCACHE_DIR is set, compilers
-# keep their results there.
+# It builds the committed files. The Debian is in $ROOT, else build/arm64/root-RELEASE, and is used again. build/arm64 has
+# the package, SHA256SUMS, the logs, the pictures, and table.txt, the steps with their seconds. If $CCACHE_DIR is set,
+# compilers keep their results there.
 set -euo pipefail
+debian=bookworm
+case ${1:-} in bookworm | trixie) debian=$1 && shift ;; esac
 [ $# != 0 ] || set -- package tests ${BESIDE:+numbers}
 for name; do
   case $name in
@@ -23,7 +25,7 @@ cd "$(dirname "$0")/.."
 out=$PWD/build/arm64
 log=$out/arm64.log
 . cmake/clean_root.sh
-release=bookworm
+release=$debian
 emulator=qemu-aarch64-static
 build=$sources/build/package
 # Tests that qemu makes too slow: they train many models, or models of 1400 rows, or compare with long double, which
@@ -50,6 +52,7 @@ make_package() {
   rm -f "$out"/terratact_*.deb
   inside sh -c "cd $build && DEB_HOST_ARCH=arm64 cpack -G DEB"
   cp "$root$build"/terratact_*_arm64.deb "$out/"
+  (cd "$out" && sha256sum -- terratact_*_arm64.deb >SHA256SUMS)
 }
 
 describe_package() { dpkg-deb -f "$out"/terratact_*_arm64.deb Version Architecture Depends | tee -a "$log"; }
@@ -112,7 +115,7 @@ differences() {
       printf "\n" }' "$1" "$2"
 }
 
-make_root "${ROOT:-$out/root}"
+make_root "${ROOT:-$out/root-$release}"
 inside dpkg --add-architecture arm64
 copy_sources
 step "setup.sh --arch arm64" inside $sources/cmake/setup.sh --arch arm64 core gui unit package

@@ -4,6 +4,7 @@
 #   cmake/bundle.sh --check BUNDLE.tar.xz [RELEASE]     unpacks it in a clean root, and a user runs both programs
 # It runs where glibc is at least 2.36 (Debian 12). The system has these libraries of its own: glibc, libstdc++, OpenGL
 # (libGL, libEGL), which belongs to the graphics driver, and ALSA, which belongs to the sound server; and a font.
+# It is meant for Ubuntu and Fedora on amd64, and was not tried on Fedora: docs/packages.md.
 # RELEASE is a release of Debian or, with a mirror in MIRROR and DEBOOTSTRAP=--keyring=FILE, of Ubuntu.
 set -euo pipefail
 check=
