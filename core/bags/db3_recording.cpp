@@ -64,7 +64,6 @@ public:
     {
         while (!ended_) {
             try {
-                if (++steps_ % kStepsPerGrant == 0) file_.grantSteps();
                 if (!messages_->step()) break;
                 row_ = static_cast<std::uint64_t>(messages_->integer(0));
                 if (!hasTypes()) {
@@ -98,8 +97,6 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t kStepsPerGrant = 100;
-
     /// Returns the definitions of the file by their types.
     std::map<std::string, StoredDefinition> readDefinitions()
     {
@@ -131,7 +128,7 @@ private:
     std::unique_ptr<SqliteStatement> messages_;
     std::map<std::int64_t, std::size_t> topicOf_;  ///< by id
     std::string data_;
-    std::uint64_t steps_ = 0, row_ = 0;
+    std::uint64_t row_ = 0;
     bool hasMoreDefinitions_ = false;  ///< than readDefinitions() returns
     bool ended_ = false;
 };

@@ -50,7 +50,7 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
         if (SqliteFile::journalIsDamaged(path)) impl->loseJournal();
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
-        return fileError(path, error.message());
+        return fileError(path, error.message(), error.code());
     } catch (const RefusedRow& refused) {
         return fileError(path, refused.message());
     }

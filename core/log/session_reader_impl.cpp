@@ -21,7 +21,6 @@ void SessionReader::Impl::checkStructure()
 {
     structureChecked = true;
     const std::string fault = file.structureFault();
-    file.grantSteps();
     if (!fault.empty())
         damage.push_back(
             {begin, end, Message(TR_NOOP("core", "its structure is damaged: %1"), fault)});
@@ -71,7 +70,6 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
             part.to = part.batches.back().batch.id;
             break;
         }
-        if (part.batches.size() % 1024 == 0) file.grantSteps();
         require(batches.size() + part.batches.size() < static_cast<std::size_t>(kMaxBatches),
                 TR_NOOP("core", "has more batches than a session can have"));
         part.batches.push_back(batchFrom(select));
@@ -121,8 +119,7 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
     SqliteStatement select = file.prepare(
         "SELECT * FROM " + std::string(kSessionRowTables.at(table)) + " WHERE id > ? ORDER BY id");
     select.bind(0, last);
-    for (std::size_t count = 0; select.step(); ++count) {
-        if (count % 1024 == 0) file.grantSteps();
+    while (select.step()) {
         const std::int64_t batch = select.integer(1);
         if (batch > part.to) break;
         const std::int64_t id = select.integer(0);
@@ -221,8 +218,7 @@ SessionTime beginOf(const std::vector<SessionBatch>& batches)
 bool SessionReader::Impl::readMore()
 {
     const std::size_t before = batches.size();
-    file.grantSteps();
-    file.grantBytes(kPasses);
+    file.grantPasses(kPasses);
     file.run("BEGIN");
     for (Part part = nextPart(); !part.batches.empty(); part = nextPart()) {
         judge(part);
@@ -239,7 +235,7 @@ void SessionReader::Impl::countStrayFrames()
 {
     const std::int64_t last =
         batches.empty() ? 0 : batches.back().frameFirst + batches.back().frameCount - 1;
-    file.grantSteps();
+    file.grantPasses(1);
     SqliteStatement select =
         file.prepare("SELECT seq FROM can_frame WHERE seq < 1 OR seq > ? LIMIT 1");
     select.bind(0, last);
@@ -250,8 +246,7 @@ void SessionReader::Impl::countStrayFrames()
 std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
 {
     const SessionBatch& batch = batches[index];
-    file.grantSteps();
-    file.grantBytes(2);  // one for the hash, one for the frame
+    file.grantPasses(2);  // one for the hash, one for the frame
     SqliteStatement select =
         file.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
     select.bind(0, batch.frameFirst);
@@ -266,7 +261,6 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
         bytes.clear();
         bytes.addRow(select, select.columns());
         hash.add(bytes.bytes());
-        if (found.size() % 1024 == 0) file.grantSteps();
     }
     const Hash& expected = frameHashes[index];
     require(hash.finish() == std::string_view(expected.data(), expected.size()),
@@ -276,8 +270,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
 
 SideDraws SessionReader::Impl::draws(std::int64_t estimate)
 {
-    file.grantSteps();
-    file.grantBytes(2);
+    file.grantPasses(2);
     SqliteStatement select = file.prepare("SELECT d.draws, e.draws_sha256 FROM estimate_draws d "
                                           "JOIN estimate e ON e.id = d.id WHERE d.id = ?");
     select.bind(0, estimate);

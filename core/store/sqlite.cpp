@@ -76,8 +76,11 @@ Header headerOf(const std::string& path)
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    if (!in)
-        throw SqliteError(Message(TR_NOOP("core", "cannot be opened: %1"), systemMessage(errno)));
+    if (!in) {
+        const int code = errno;
+        throw SqliteError(Message(TR_NOOP("core", "cannot be opened: %1"), systemMessage(code)),
+                          code);
+    }
     in.read(header.data(), header.size());
     if (in.gcount() == 0) throw SqliteError(TR_NOOP("core", "is empty: copy it again"));
     if (!in || std::string_view(header.data(), kMagic.size()) != kMagic)
@@ -210,7 +213,7 @@ SqliteFile SqliteFile::readLog(const std::string& path, int longest, std::string
     sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
     sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] for a checkpoint of the writer
     file.bytesLeft_ = std::make_unique<std::int64_t>(0);
-    file.grantBytes(1);
+    file.grantPasses(1);
     return file;
 }
 
@@ -281,18 +284,6 @@ bool SqliteFile::readsJournal()
 {
     SqliteStatement mode = prepare("PRAGMA journal_mode");
     return mode.step() && mode.text(0) == "wal";
-}
-
-void SqliteFile::grantBytes(int times)
-{
-    if (!bytesLeft_) return;
-    size_ = 0;
-    for (const char* const end : {"", "-wal"}) {
-        std::error_code none;
-        const std::uintmax_t size = std::filesystem::file_size(besideFile(path_, end), none);
-        if (!none) size_ += static_cast<std::int64_t>(size);
-    }
-    *bytesLeft_ = times * size_;
 }
 
 void SqliteFile::requireNothingBeside(const std::string& path)
@@ -369,7 +360,7 @@ bool SqliteFile::leaveJournal()
     const SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
     const int code = sqlite3_step(mode.statement_.get());
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) return false;
-    if (code != SQLITE_ROW) throw SqliteError(sqliteMessage(file_.get()));
+    if (code != SQLITE_ROW) throw sqliteFailure(file_.get());
     return mode.text(0) == "delete";
 }
 

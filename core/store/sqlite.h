@@ -26,8 +26,8 @@ public:
     /// the structure on request. A file in WAL mode is still being written, or its writer died. It
     /// is read with the journal beside it, if there is one, even from a write-protected folder. A
     /// file of another user is read without a trace, because its owner could not write an index
-    /// that this user made. Texts and blobs have at most `longest` bytes, and grantBytes() bounds
-    /// all values together.
+    /// that this user made. Texts and blobs have at most `longest` bytes, and grantPasses()
+    /// bounds all values and steps together: one pass, until it is called.
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Opens a log as openLog(), but leaves no file beside it. It disturbs no writer, not even one
@@ -79,15 +79,17 @@ public:
     /// another process has the file open.
     bool leaveJournal();
 
-    /// Allows the statements of an untrusted file as many steps again from now on.
+    /// Allows the statements of a file of openUntrusted() as many steps again from now on.
     void grantSteps();
 
-    /// Limits the values of a log's rows from now on: to `times` as many bytes as file and journal
-    /// have. A SqliteError reports more. Rows that share pages could return far more than the file
-    /// holds.
-    void grantBytes(int times);
+    /// Limits all statements of a log from now on to `times` passes over file and journal. A pass
+    /// returns as many bytes as they have, and takes a step for each of these bytes. 10 million
+    /// steps are allowed besides. A SqliteError reports more: rows that share pages could return and
+    /// visit far more than the file holds. SQLite counts all rows of a table, `SELECT count(*) FROM
+    /// table`, in a single step, which no limit ends: step through the rows instead.
+    void grantPasses(int times);
 
-    /// Returns the bytes of a log and its journal at the last call of grantBytes().
+    /// Returns the bytes of a log and its journal at the last call of grantPasses().
     std::int64_t size() const { return size_; }
 
     /// Creates an empty file for its owner only (mode 0600). Neither it nor a file that SQLite would
@@ -122,7 +124,7 @@ private:
 
     std::string path_;                         ///< path of a log that is read
     std::int64_t size_ = 0;                    ///< size of a log that is read [bytes]
-    std::unique_ptr<int> callsLeft_;           ///< remaining calls of the progress handler
+    std::unique_ptr<std::int64_t> callsLeft_;  ///< remaining calls of the progress handler
     std::unique_ptr<std::int64_t> bytesLeft_;  ///< bytes that rows may still return; null: no limit
     std::unique_ptr<sqlite3, Close> file_;
 };

@@ -9,6 +9,14 @@
 #include "core/base/system_message.h"
 
 namespace terratact {
+namespace {
+
+/// Returns errno of a file that the system did not open, read or write; else 0.
+int systemCode(sqlite3* file)
+{
+    const int code = sqlite3_errcode(file) & 0xFF;  // without the extension
+    return code == SQLITE_IOERR || code == SQLITE_CANTOPEN ? sqlite3_system_errno(file) : 0;
+}
 
 Message sqliteMessage(sqlite3* file)
 {
@@ -28,10 +36,10 @@ Message sqliteMessage(sqlite3* file)
     if (sqlite3_errcode(file) == SQLITE_FULL)
         return TR_NOOP("core",
                        "the disk is full: free space on it, or name a file on another disk");
-    const int code = sqlite3_errcode(file) & 0xFF;  // without the extension
-    const int cause = sqlite3_system_errno(file);
-    if ((code == SQLITE_IOERR || code == SQLITE_CANTOPEN) && cause != 0)
+    if (const int cause = systemCode(file); cause != 0)
         return {TR_NOOP("core", "the file system refuses it: %1"), systemMessage(cause)};
+    if (sqlite3_errcode(file) == SQLITE_INTERRUPT)
+        return TR_NOOP("core", "its tables take more steps to read than a file of its size needs");
     if (sqlite3_extended_errcode(file) == SQLITE_IOERR_WRITE)
         return TR_NOOP(
             "core",
@@ -43,9 +51,16 @@ Message sqliteMessage(sqlite3* file)
     return Message::verbatim(said);
 }
 
+}  // namespace
+
+SqliteError sqliteFailure(sqlite3* file)
+{
+    return SqliteError(sqliteMessage(file), systemCode(file));
+}
+
 void checkSqlite(int code, sqlite3* file)
 {
-    if (code != SQLITE_OK) throw SqliteError(sqliteMessage(file));
+    if (code != SQLITE_OK) throw sqliteFailure(file);
 }
 
 }  // namespace terratact

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "core/base/message.h"
 
 struct sqlite3;
@@ -10,14 +12,20 @@ namespace terratact {
 /// Error.
 class SqliteError : public Failure {
 public:
-    using Failure::Failure;
+    explicit SqliteError(Message message, int code = 0) : Failure(std::move(message)), code_(code)
+    {
+    }
+    int code() const { return code_; }  ///< errno where the system gave one, else 0
+
+private:
+    int code_;
 };
 
-/// Returns SQLite's text of the last failure of `file`; for a full disk, a sentence that says what to
-/// do. Usual texts can be translated.
-Message sqliteMessage(sqlite3* file);
+/// Returns the last failure of `file` with SQLite's text; for a full disk, with a sentence that says
+/// what to do. Usual texts can be translated.
+SqliteError sqliteFailure(sqlite3* file);
 
-/// Throws SqliteError with sqliteMessage() unless the result code is SQLITE_OK.
+/// Throws sqliteFailure() unless the result code is SQLITE_OK.
 void checkSqlite(int code, sqlite3* file);
 
 }  // namespace terratact

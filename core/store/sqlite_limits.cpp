@@ -2,8 +2,11 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "core/store/sqlite.h"
 #include "core/store/sqlite_error.h"
@@ -13,10 +16,11 @@ namespace {
 
 /// Ends long statements of a hostile file. SQLite calls stopNow() every kStepsPerCall steps.
 constexpr int kStepsPerCall = 100'000;
-constexpr int kCalls = 1'000;
+constexpr std::int64_t kCalls = 1'000;
+constexpr std::int64_t kLogCalls = 100;  // of a log: beside a step for each byte
 int stopNow(void* callsLeft)
 {
-    return --*static_cast<int*>(callsLeft) < 0 ? 1 : 0;
+    return --*static_cast<std::int64_t*>(callsLeft) < 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -24,6 +28,19 @@ int stopNow(void* callsLeft)
 void SqliteFile::grantSteps()
 {
     if (callsLeft_) *callsLeft_ = kCalls;
+}
+
+void SqliteFile::grantPasses(int times)
+{
+    if (!bytesLeft_) return;
+    size_ = 0;
+    for (const std::string& part : {path_, journalOf(path_)}) {
+        std::error_code none;
+        const std::uintmax_t size = std::filesystem::file_size(part, none);
+        if (!none) size_ += static_cast<std::int64_t>(size);
+    }
+    *bytesLeft_ = times * size_;
+    *callsLeft_ = kLogCalls + *bytesLeft_ / kStepsPerCall;
 }
 
 // Applies sqlite.org/security.html, "Untrusted SQLite Database Files".
@@ -45,7 +62,7 @@ void SqliteFile::harden()
     sqlite3_limit(file, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50);
     sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 64);
     sqlite3_limit(file, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
-    callsLeft_ = std::make_unique<int>(kCalls);
+    callsLeft_ = std::make_unique<std::int64_t>(kCalls);
     sqlite3_progress_handler(file, kStepsPerCall, stopNow, callsLeft_.get());
     run("PRAGMA cell_size_check = ON");
     run("PRAGMA mmap_size = 0");
@@ -53,7 +70,7 @@ void SqliteFile::harden()
 
 std::string SqliteFile::structureFault()
 {
-    if (callsLeft_) *callsLeft_ = kCalls + static_cast<int>(size_ / kStepsPerCall);
+    if (callsLeft_) *callsLeft_ = kCalls + size_ / kStepsPerCall;
     SqliteStatement statement = prepare("PRAGMA integrity_check(1)");
     if (!statement.step()) throw SqliteError(TR_NOOP("core", "its structure cannot be checked"));
     std::string finding = statement.text(0);

@@ -65,7 +65,7 @@ bool SqliteStatement::step()
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) charge(kMinCell);
     if (code == SQLITE_ROW) return true;
-    if (code != SQLITE_DONE) throw SqliteError(sqliteMessage(sqlite3_db_handle(statement_.get())));
+    if (code != SQLITE_DONE) throw sqliteFailure(sqlite3_db_handle(statement_.get()));
     return false;
 }
 

@@ -48,7 +48,7 @@ private:
     std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
-    /// Bytes left for the file, see SqliteFile::grantBytes(); null: no limit.
+    /// Bytes left for the file, see SqliteFile::grantPasses(); null: no limit.
     std::int64_t* bytesLeft_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <fstream>
 
 #include "core/log/rows/session_schema.h"
@@ -34,12 +35,19 @@ bool canReadJournal(const std::string& path)
     }
 }
 
+/// Returns true if the process or the system has too many open files: the session may be whole.
+bool lacksOpenFiles(const Error& error)
+{
+    return error.code == EMFILE || error.code == ENFILE;
+}
+
 }  // namespace
 
 Result<SessionReader> openSession(const std::string& path)
 {
     auto session = SessionReader::open(path);
-    if (session || contentKindOfFile(path) != ContentKind::Session || !isOfReadableVersion(path)
+    if (session || lacksOpenFiles(session.error())
+        || contentKindOfFile(path) != ContentKind::Session || !isOfReadableVersion(path)
         || !canReadJournal(path))
         return session;
     return Error{fmt::format("{}; `terratact session recover` saves what is whole in it",

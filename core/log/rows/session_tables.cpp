@@ -75,7 +75,7 @@ Heights drawFrom(std::string_view bytes, std::size_t& at)
 
 std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
 {
-    if (!lonely.empty() && file.integer("SELECT count(*) FROM sqlite_schema") == 0)
+    if (!lonely.empty() && !file.prepare("SELECT 1 FROM sqlite_schema").step())
         throw SqliteError(
             Message(TR_NOOP("core", "holds nothing without its journal %1, which is not beside it: "
                                     "both files belong together, copy both"),
