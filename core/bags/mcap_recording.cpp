@@ -59,6 +59,7 @@ public:
                           .text = std::shared_ptr<const std::string>()};
         const std::string_view text = in.text();
         if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMost) return Done{};
+        if (text.empty()) schema.encoding.clear();
         const bool isDecoded = schema.encoding == "ros1msg" || schema.encoding == "ros2msg";
         schema.text = texts_.keep(schema.name, isDecoded ? text : std::string_view());
         const McapSchema& kept = schemas_.emplace(id, std::move(schema)).first->second;

@@ -25,9 +25,9 @@ struct RecordedTopic {
     std::string name{};            ///< "/imu/data"
     std::string type{};            ///< "sensor_msgs/Imu"
     std::string encoding{};        ///< of its messages: "ros1", "cdr", "json", "csv", …
-    std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …
-    /// Definition of the messages, which several topics may share; null: the file has none. Error: why the
-    /// file's own one is left out.
+    std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …; empty: no definition
+    /// Definition of the messages, which several topics may share. Null or empty: the file has none, or an
+    /// MCAP file has it in an encoding that is not read. Error: why the file's own one is left out.
     Result<std::shared_ptr<const std::string>> schema = std::shared_ptr<const std::string>();
     std::optional<std::uint64_t> messages{};  ///< their number, if the file's index says it
 };

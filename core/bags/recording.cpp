@@ -76,6 +76,13 @@ bool isNamedAsBag(const std::string& path)
     return ending == ".mcap" || ending == ".bag" || ending == ".db3";
 }
 
+/// Returns true if the file has a definition of the topic, but in an encoding that is not read.
+bool hasUnreadDefinition(const RecordedTopic& topic)
+{
+    return !topic.schemaEncoding.empty() && topic.schema
+        && (!*topic.schema || (*topic.schema)->empty());
+}
+
 }  // namespace
 
 Result<bool> Recording::read(RecordedMessage& message)
@@ -121,6 +128,10 @@ Result<MessageDecoder> Recording::newDecoder(const RecordedTopic& topic)
                                  "this recording have more than {} structs and fields",
                                  printable(topic.type), kMaxParts)};
     parts_ += decoder->parts();
+    if (decoder->parts() > 0 && hasUnreadDefinition(topic))
+        remark(fmt::format("the definition of {} has the encoding {}, which is not read; the "
+                           "shipped definition of this type was used",
+                           printable(topic.type), shown(topic.schemaEncoding)));
     return decoder;
 }
 

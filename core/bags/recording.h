@@ -67,7 +67,8 @@ public:
     Result<bool> read(RecordedMessage& message);
 
     /// Decodes a message that next() returned. Errors name the file, the topic and the message's place. One of
-    /// them: the definitions of all decoded topics have more than kMaxParts structs and fields.
+    /// them: the definitions of all decoded topics have more than kMaxParts structs and fields. A remark says
+    /// where the shipped definition of a common type was used, because the file's encoding is not read.
     virtual Result<FieldValue> decode(const RecordedMessage& message);
 
     static constexpr std::size_t kMaxParts = 100'000;

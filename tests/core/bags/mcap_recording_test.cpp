@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -181,6 +182,22 @@ TEST_F(McapFiles, aCommonTypeIsNotDecodedByAnotherDefinition)
               std::string::npos)
         << found.messages[1];
     EXPECT_EQ(found.messages[2], "/e 6 2.500000") << "the file has no definition of it";
+}
+
+TEST_F(McapFiles, anUnreadDefinitionOfACommonTypeIsRemarked)
+{
+    McapBytes mcap = begun();
+    mcap.schema(2, "std_msgs/msg/Float64", "ros2idl", "module std_msgs").channel(3, 2, "/c", "cdr");
+    mcap.schema(3, "std_msgs/msg/Float64", "ros2msg", "").channel(4, 3, "/d", "cdr");
+    mcap.message(1, 5, number(1.5)).message(3, 6, number(2.5)).message(4, 7, number(3.5));
+    const ReadRecording found = read(mcap.file());
+    EXPECT_EQ(found.messages,
+              (std::vector<std::string>{"/a 5 1.500000", "/c 6 2.500000", "/d 7 3.500000"}));
+    const std::string remark = "the definition of std_msgs/msg/Float64 has the encoding 'ros2idl', "
+                               "which is not read; the shipped definition of this type was used";
+    EXPECT_EQ(std::ranges::count(found.remarks, remark), 1);
+    for (const std::string& other : found.remarks)
+        EXPECT_TRUE(other == remark || other.find("shipped") == std::string::npos) << other;
 }
 
 TEST_F(McapFiles, decodersHaveABoundedNumberOfFields)
