@@ -95,7 +95,12 @@ Error CloudFile::error(std::string_view cause) const
 
 Error CloudFile::lineError(std::string_view cause) const
 {
-    return fileError(path_, fmt::format("line {}: {}", lines_, cause));
+    return lineError(cause, lines_);
+}
+
+Error CloudFile::lineError(std::string_view cause, std::uint64_t line) const
+{
+    return fileError(path_, fmt::format("line {}: {}", line, cause));
 }
 
 }  // namespace terratact

@@ -35,8 +35,10 @@ public:
     /// Looks behind the last point, here. Zeros, at most kMaxPadding, are a remark: the Point Cloud Library fills its
     /// files so. Returns it; empty: the file ends here. Errors: other bytes. points: "1000 points".
     Result<std::string> behind(std::string_view points);
-    Error error(std::string_view cause) const;      ///< "file: cause"
-    Error lineError(std::string_view cause) const;  ///< "file: line 7: cause"
+    Error error(std::string_view cause) const;  ///< "file: cause"
+    Error
+    lineError(std::string_view cause) const;  ///< "file: line 7: cause", of the line read last
+    Error lineError(std::string_view cause, std::uint64_t line) const;  ///< of another line
 
 private:
     CloudFile(std::string path, BagFile file) : path_(std::move(path)), file_(std::move(file)) {}

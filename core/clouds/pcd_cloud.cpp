@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/clouds/cloud_fields.h"
@@ -67,6 +71,7 @@ private:
         if (values.empty() || values.size() > kMaxPcdFields)
             return file_.lineError(
                 fmt::format("{} needs 1 to {} values", shown(key), kMaxPcdFields));
+        lineOf_[key == "COLUMNS" ? "FIELDS" : key] = file_.lines();
         if (key == "FIELDS" || key == "COLUMNS") {
             header_.fields.clear();
             for (const std::string& name : values)
@@ -102,6 +107,13 @@ private:
         return Done{};
     }
 
+    /// Returns "file: line 3: cause" with the key's line; without a line if the header lacks the key.
+    Error errorAt(const std::string& key, std::string_view cause) const
+    {
+        const auto found = lineOf_.find(key);
+        return found == lineOf_.end() ? file_.error(cause) : file_.lineError(cause, found->second);
+    }
+
     Status complete()
     {
         auto& h = header_;
@@ -111,22 +123,23 @@ private:
         if (!h.points) return file_.error("has neither POINTS nor WIDTH in its PCD header");
         if (h.width && h.height
             && (*h.height == 0 || *h.points % *h.height > 0 || *h.points / *h.height != *h.width))
-            return file_.error(fmt::format("POINTS is {}, but WIDTH and HEIGHT are {} and {}: "
-                                           "correct the PCD header",
-                                           *h.points, *h.width, *h.height));
-        for (const auto* list : {&h.sizes, &h.types, &h.counts})
+            return errorAt("POINTS",
+                           fmt::format("POINTS is {}, but WIDTH and HEIGHT are {} and {}: "
+                                       "correct the PCD header",
+                                       *h.points, *h.width, *h.height));
+        for (const auto& [key, list] :
+             {std::pair("SIZE", &h.sizes), {"TYPE", &h.types}, {"COUNT", &h.counts}})
             if (!list->empty() && list->size() != h.fields.size())
-                return file_.error(
-                    fmt::format("FIELDS names {} fields, but SIZE, TYPE or COUNT has {} "
-                                "values: correct the PCD header",
-                                h.fields.size(), list->size()));
+                return errorAt(key, fmt::format("FIELDS names {} fields, but {} has {} values: "
+                                                "correct the PCD header",
+                                                h.fields.size(), key, list->size()));
         std::uint64_t column = 0;
         for (std::size_t i = 0; i < h.fields.size(); ++i)
             if (Status done = completeField(i, column); !done) return done;
         if (h.stride > kMaxPcdPoint)
-            return file_.error(
-                fmt::format("a point has {} bytes, more than {}: correct SIZE and COUNT", h.stride,
-                            kMaxPcdPoint));
+            return errorAt("COUNT",
+                           fmt::format("a point has {} bytes, more than {}: correct SIZE and COUNT",
+                                       h.stride, kMaxPcdPoint));
         return findAxes();
     }
 
@@ -137,23 +150,24 @@ private:
         if (!h.sizes.empty()) {
             const auto size = integerFrom<std::uint64_t>(h.sizes[i]);
             if (!size || *size == 0 || *size > 8)
-                return file_.error(fmt::format("SIZE of field {} is {}: 1, 2, 4 or 8 was expected",
-                                               shown(field.name), shown(h.sizes[i])));
+                return errorAt("SIZE",
+                               fmt::format("SIZE of field {} is {}: 1, 2, 4 or 8 was expected",
+                                           shown(field.name), shown(h.sizes[i])));
             field.size = *size;
         }
         if (!h.counts.empty()) {
             const auto count = integerFrom<std::uint64_t>(h.counts[i]);
             if (!count || *count > kMaxPcdPoint)
-                return file_.error(fmt::format("COUNT of field {} is {}: at most {} was expected",
-                                               shown(field.name), shown(h.counts[i]),
-                                               kMaxPcdPoint));
+                return errorAt("COUNT",
+                               fmt::format("COUNT of field {} is {}: at most {} was expected",
+                                           shown(field.name), shown(h.counts[i]), kMaxPcdPoint));
             field.count = *count;
         }
         const std::string type = h.types.empty() ? "F" : h.types[i];
         using Kind = CloudNumber::Kind;
         if (type != "F" && type != "I" && type != "U")
-            return file_.error(fmt::format("TYPE of field {} is {}: F, I or U was expected",
-                                           shown(field.name), shown(type)));
+            return errorAt("TYPE", fmt::format("TYPE of field {} is {}: F, I or U was expected",
+                                               shown(field.name), shown(type)));
         field.number = cloudNumber(type == "F"   ? Kind::Float
                                    : type == "I" ? Kind::Signed
                                                  : Kind::Unsigned,
@@ -171,9 +185,11 @@ private:
             const std::string name(1, "xyz"[axis]);
             const auto field = std::ranges::find(header_.fields, name, &PcdField::name);
             if (field == header_.fields.end())
-                return file_.error(fmt::format("FIELDS has no {}: a cloud needs x, y and z", name));
+                return errorAt("FIELDS",
+                               fmt::format("FIELDS has no {}: a cloud needs x, y and z", name));
             if (!field->number || field->count != 1)
-                return file_.error(
+                return errorAt(
+                    "FIELDS",
                     fmt::format("field {} is no number of TYPE F with SIZE 4 or 8, or I, U", name));
             header_.xyz.at(axis) = static_cast<std::size_t>(field - header_.fields.begin());
         }
@@ -182,6 +198,7 @@ private:
 
     CloudFile& file_;
     PcdHeader header_;
+    std::map<std::string, std::uint64_t> lineOf_;  ///< of each key; of COLUMNS under FIELDS
 };
 
 /// Base of the three kinds of DATA.

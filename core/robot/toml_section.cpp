@@ -53,8 +53,11 @@ const toml::node& TomlSection::node(std::string_view key)
 {
     known_.emplace(key);
     const toml::node* const found = table_.get(key);
-    if (!found) throw TomlRefused{Message(TR_NOOP("core", "the key %1 is missing"), path(key))};
-    return *found;
+    if (found) return *found;
+    if (prefix_.empty())
+        throw TomlRefused{Message(TR_NOOP("core", "the key %1 is missing"), path(key))};
+    throw TomlRefused{
+        Message(TR_NOOP("core", "%1: the key %2 is missing"), tomlLine(table_), path(key))};
 }
 
 double TomlSection::number(std::string_view key, TomlRange range)

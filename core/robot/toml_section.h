@@ -14,7 +14,8 @@
 
 namespace terratact {
 
-// Strict, bounded reader for TOML files from users. Every refusal names its line and key. Only core
+// Strict, bounded reader for TOML files from users. Every refusal names its line and key; of
+// a missing key, the line where its table begins, and none for the file's top section. Only core
 // sources that read a file format include this header.
 
 /// Refusal of a file: a sentence without the file's name. readTomlFile() catches it.

@@ -26,7 +26,8 @@ class Panel(unittest.TestCase):
             bad = pathlib.Path(folder) / "bad.toml"
             bad.write_text(EXAMPLE.read_text().replace("stop    =", "halt    ="))
             said = complaint("panel", "check", bad)
-            self.assertIn("bad.toml: the key inputs.stop is missing", said)
+            line = EXAMPLE.read_text().splitlines().index("[inputs]") + 1
+            self.assertIn(f"bad.toml: line {line}: the key inputs.stop is missing", said)
             self.assertEqual(said.count("\n"), 1, said)
 
     @unittest.skipIf(CHIPS, "this computer has GPIO chips")

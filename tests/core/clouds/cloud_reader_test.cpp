@@ -196,14 +196,20 @@ TEST_F(Clouds, everyRefusalSaysWhatToDo)
         refuses(header("x y z", "2", "binary_zip"), {"line 7: DATA is 'binary_zip'", "expected"}));
     EXPECT_TRUE(refuses(header("x y z", "2", "binary") + "short", {"ends within", "cut"}));
     EXPECT_TRUE(refuses(header("x y z", "2", "ascii") + "1 2 3\n", {"1 points before the 2"}));
-    EXPECT_TRUE(refuses(header("x y", "2", "ascii"), {"FIELDS has no z"}));
+    EXPECT_TRUE(refuses(header("x y", "2", "ascii"), {"line 3: FIELDS has no z"}));
     EXPECT_TRUE(refuses(header("x y z", "1", "ascii") + "1 2 3\n\n4 5 6\n",
                         {"line 10: is behind the 1 points", "correct POINTS"}));
     EXPECT_TRUE(refuses("# .PCD v0.7\nFIELDS x y z\nWIDTH 2\nHEIGHT 2\nPOINTS 5\nDATA ascii\n",
-                        {"POINTS is 5", "WIDTH and HEIGHT are 2 and 2", "correct"}));
+                        {"line 5: POINTS is 5", "WIDTH and HEIGHT are 2 and 2", "correct"}));
     EXPECT_TRUE(refuses("1,2.5;3;4\n", {"x is '1,2.5'", "no number"}));
-    EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4", "2", "ascii"), {"FIELDS names 3 fields"}));
-    EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4 2", "2", "ascii"), {"field z is no number"}));
+    EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4", "2", "ascii"),
+                        {"line 4: FIELDS names 3 fields, but SIZE has 2 values"}));
+    EXPECT_TRUE(
+        refuses(header("x y z\nSIZE 4 4 2", "2", "ascii"), {"line 3: field z is no number"}));
+    EXPECT_TRUE(refuses(header("x y z\nSIZE 4 4 9", "2", "ascii"), {"line 4: SIZE of field 'z'"}));
+    EXPECT_TRUE(refuses(header("x y z\nTYPE F F D", "2", "ascii"), {"line 4: TYPE of field 'z'"}));
+    EXPECT_TRUE(
+        refuses(header("x y z\nCOUNT 1 1 n", "2", "ascii"), {"line 4: COUNT of field 'z'"}));
     EXPECT_TRUE(refuses(header("x y z", "many", "ascii"), {"line 4: WIDTH is 'many'"}));
     EXPECT_TRUE(refuses("VERSION 0.7\nFIELDS x y z\n", {"no line DATA"}));
     EXPECT_TRUE(refuses("ply\nformat binary 2.0\n", {"line 2: format is 'binary'"}));

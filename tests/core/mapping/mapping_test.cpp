@@ -59,11 +59,12 @@ TEST(Mapping, refusalsNameLineKeyAndWhatToDo)
     EXPECT_EQ(whyNot(csvMapping("[roll]\nfield = \"r\"\nsign = 0.5\n")),
               "m.toml: line 4: roll.sign is 0.5, expected 1 or -1");
     EXPECT_EQ(whyNot(csvMapping("[roll]\ntopic = \"/x\"\n")),
-              "m.toml: the key roll.field is missing");
+              "m.toml: line 2: the key roll.field is missing");
     EXPECT_EQ(whyNot(csvMapping("[roll]\nfield = \"r\"\nfeild = 1\n")),
               "m.toml: line 4: 'roll.feild' is not a known key");
     EXPECT_EQ(whyNot(csvMapping("[front_left_force]\nfields = [\"a\"]\n")),
               "m.toml: line 3: front_left_force.fields is not an array of 6 elements");
+    EXPECT_EQ(whyNot("[roll]\nfield = \"r\"\n"), "m.toml: the key name is missing");
     EXPECT_EQ(whyNot("name = \"x\"\n"),
               "m.toml: lacks the pitch: add [attitude] with a quaternion, or [pitch]");
     EXPECT_NE(whyNot("name = \"x\"\n[pitch]\nfield = \"p\"\n").find("lacks [front_left]"),
