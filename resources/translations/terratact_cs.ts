@@ -6135,6 +6135,22 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME</source>
         <translation>není domovská složka pro záznamy: uveďte složku, nebo nastavte HOME nebo XDG_STATE_HOME</translation>
     </message>
+    <message>
+        <source>%1: the key %2 is missing</source>
+        <translation>%1: chybí klíč %2</translation>
+    </message>
+    <message>
+        <source>its tables take more steps to read than a file of its size needs</source>
+        <translation>čtení jeho tabulek trvá déle, než soubor této velikosti potřebuje</translation>
+    </message>
+    <message>
+        <source>%1 is longer than %2 bytes: the rest is left out</source>
+        <translation>%1: delší než %2 bajtů, zbytek je vynechán</translation>
+    </message>
+    <message>
+        <source>the message %1 describes up to %2 signals in a frame of %3 bytes: only the first %4 of a frame are read</source>
+        <translation>zpráva %1 popisuje až %2 signálů v rámci o %3 bajtech: čte se jen prvních %4 z rámce</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -6135,6 +6135,22 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME</source>
         <translation>es gibt keinen Benutzerordner für Aufzeichnungen: einen Ordner nennen, oder HOME oder XDG_STATE_HOME setzen</translation>
     </message>
+    <message>
+        <source>%1: the key %2 is missing</source>
+        <translation>%1: der Schlüssel %2 fehlt</translation>
+    </message>
+    <message>
+        <source>its tables take more steps to read than a file of its size needs</source>
+        <translation>seine Tabellen zu lesen dauert länger, als eine Datei dieser Größe braucht</translation>
+    </message>
+    <message>
+        <source>%1 is longer than %2 bytes: the rest is left out</source>
+        <translation>%1: länger als %2 Bytes, der Rest wird weggelassen</translation>
+    </message>
+    <message>
+        <source>the message %1 describes up to %2 signals in a frame of %3 bytes: only the first %4 of a frame are read</source>
+        <translation>die Nachricht %1 beschreibt bis zu %2 Signale in einem Frame von %3 Bytes: nur die ersten %4 eines Frames werden gelesen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
