@@ -10,6 +10,13 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+from cost import Cost  # noqa: E402
+from hostile_binaries import junk  # noqa: E402
+from hostile_files import shared_leaves  # noqa: E402
+from support import CLI, needs_no_sanitizer  # noqa: E402
 
 CONSOLE = sys.argv.pop()
 
@@ -129,6 +136,28 @@ class Console(unittest.TestCase):
                                    "/dev/null"], env={**os.environ, "QT_QPA_PLATFORM": "offscreen"}, text=True,
                                   capture_output=True, timeout=300, check=False)
             self.said_in_one_line(done, "(needs 700|OpenBLAS needs 135) MB of memory; .* ulimit -v")
+
+    def test_a_truth_file_costs_what_its_size_allows(self):
+        needs_no_sanitizer(self)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            scenes, cloud, poses, whole = (folder / n for n in ("s.csv", "c.pcd", "p.csv", "whole.ttt"))
+            for arguments in (("simulate", "--terrain", "varied", "--tracks", "--count", "3", "--out", scenes,
+                               "--cloud", cloud, "--poses", poses),
+                              ("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", folder / "t.csv",
+                               "--review", whole)):
+                subprocess.run([CLI, *arguments], check=True, capture_output=True)
+            files = [shared_leaves(whole, folder / f"{table}.ttt", table) for table in ("meta", "rule", "scene")]
+            for title, content in junk(1_000_000, whole.read_bytes()).items():
+                files.append(folder / f"{title}.ttt")
+                files[-1].write_bytes(content)
+            for file in files:
+                with unittest.mock.patch.dict(os.environ, QT_QPA_PLATFORM="offscreen", HOME=name, XDG_STATE_HOME=name,
+                                              XDG_CONFIG_HOME=name):
+                    done = Cost(CONSOLE, file, "--screenshot", folder / "x.png")
+                self.assertEqual(done.code, 1, done.said)
+                self.assertLess(done.megabytes, 70 + 30 * file.stat().st_size / 1e6, file.name)
+                self.assertLess(done.seconds, 4, file.name)
 
     def test_a_picture_is_written_through_no_link(self):
         demo = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "resources", "sessions", "demo.tts")

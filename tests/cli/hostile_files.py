@@ -18,6 +18,9 @@ from cost import Cost
 
 ROW_TABLES = ("settings", "model", "scene", "scene_truth", "estimate", "reading", "estimate_bin", "proposal",
               "proposal_offer", "event")
+TABLES = ROW_TABLES + ("batch", "can_frame", "estimate_draws")
+OUTPUTS = {"export": "out.csv", "scenes": "out.csv", "strip": "out.csv", "report": "out.html", "merge": "out.tts",
+           "recover": "out.tts"}
 ESCAPE = "\x1b[2K\rholds      yes\x1b[8m"
 
 
@@ -171,6 +174,13 @@ class Pages:
                      for i in range(0, len(level), fan)]
         self.pages[root - 1][:] = self.inner(level + [level[-1]] if len(level) == 1 else level)
 
+    def repeat(self, root, leaves, depth):
+        """Puts a tree below the root in which the leaves take turns, and all inner pages of a level are one page."""
+        fan = (self.size - 16) // 16
+        for _ in range(depth):
+            leaves = [self.add(self.inner([(leaves[i % len(leaves)], 1 + i) for i in range(fan)]))]
+        self.pages[root - 1][:] = self.pages[leaves[0] - 1]
+
 
 def small_pages(base, path, size=1024):
     """Makes the session with small pages, so that many cells use overflow pages."""
@@ -271,11 +281,22 @@ def shared_leaves(base, path, table, depth=6):
     shutil.copy(base, path)
     pages = Pages(path)
     root = root_of(path, table)
-    child = pages.add(pages.leaf([]) if pages.pages[root - 1][0] != 13 else bytes(pages.pages[root - 1]))
-    fan = (pages.size - 16) // 16
-    for _ in range(depth):
-        child = pages.add(pages.inner([(child, 1 + i) for i in range(fan)]))
-    pages.pages[root - 1][:] = pages.pages[child - 1]
+    leaf = pages.add(pages.leaf([]) if pages.pages[root - 1][0] != 13 else bytes(pages.pages[root - 1]))
+    pages.repeat(root, [leaf], depth)
+    pages.write()
+    return path
+
+
+def rare_events(base, path, kind, leaves=40):
+    """Makes a tree of shared leaves of events: one event is of the kind in so many leaves."""
+    shutil.copy(base, path)
+    pages, (number, when) = Pages(path), last_batch(path)
+
+    def leaf(kind, rows):
+        payload = record((None, number, when, kind, "", "", None, 0, 0, "", "", ""))
+        return pages.add(pages.leaf([varint(len(payload)) + varint(1 + i) + payload for i in range(rows)]))
+
+    pages.repeat(root_of(path, "event"), [leaf("word", 80)] * (leaves - 1) + [leaf(kind, 1)], 6)
     pages.write()
     return path
 
@@ -306,9 +327,8 @@ def make_all(folder, rows, drive, large):
         ("texts that share pages", shared_texts(rows, folder / "texts.tts", 400 * factor, 500_000), every),
         ("short texts that share pages", shared_texts(rows, folder / "short.tts", 400 * factor, 60_000), every),
         ("draws that share pages", shared_draws(drive, folder / "draws.tts", 300 * factor), every),
-        ("a tree of shared leaves: events", shared_leaves(rows, folder / "events.tts", "event"), every),
-        ("a tree of shared leaves: frames", shared_leaves(rows, folder / "frames.tts", "can_frame"), every),
-        ("a tree of shared leaves: batches", shared_leaves(rows, folder / "batches.tts", "batch"), every),
+        *((f"a tree of shared leaves: {table}", shared_leaves(rows, folder / f"{table}.tts", table), every)
+          for table in TABLES),
         ("many small rows", many_rows(rows, folder / "many.tts", 20_000 * factor), ("info", "verify", "recover")),
         ("settings for days of computing", folder / "what-if.tts", ("what-if",)),
         ("escapes for the terminal", escape, ("info", "verify", "export", "recover")),
@@ -318,9 +338,13 @@ def make_all(folder, rows, drive, large):
     ]
 
 
-def cost(program, command, file, out):
-    """Returns the cost of a session command; `out` is for those that write."""
-    return Cost(program, "session", command, file, *(("--out", out) if command in ("export", "recover") else ()))
+def cost(program, command, file, folder):
+    """Returns the cost of a session command. What it writes replaces OUTPUTS of the folder."""
+    if command not in OUTPUTS:
+        return Cost(program, "session", command, file)
+    out = folder / OUTPUTS[command]
+    out.unlink(missing_ok=True)
+    return Cost(program, "session", command, file, "--out", out)
 
 
 def main():
@@ -334,9 +358,7 @@ def main():
         print(f"{'file':<34} {'bytes':>9} {'command':<8} {'status':>6} {'CPU [s]':>8} {'peak [MB]':>9}  last words")
         for title, file, commands in files:
             for command in commands:
-                out = folder / ("out.csv" if command == "export" else "out.tts")
-                out.unlink(missing_ok=True)
-                run = cost(program, command, file, out)
+                run = cost(program, command, file, folder)
                 print(f"{title:<34} {file.stat().st_size:>9} {command:<8} {run.code:>6} {run.seconds:>8.2f} "
                       f"{run.megabytes:>9.0f}  {run.last_words(name)}", flush=True)
 

@@ -1,5 +1,8 @@
 """Tests hostile files and folders: links that lead elsewhere, texts for the terminal, little memory."""
 
+import csv
+import io
+import itertools
 import os
 import pathlib
 import pty
@@ -8,6 +11,7 @@ import stat
 import subprocess
 import unittest
 
+from hostile_files import changed
 from support import CLI, SOURCE, Folder, complaint, needs_no_sanitizer, run, sanitized
 
 DEMO = f"{SOURCE}/resources/sessions/demo.tts"
@@ -45,37 +49,85 @@ class Links(Scenes):
         self.assertTrue(link.is_symlink())
         link.unlink()
 
+    def outputs(self):
+        """Yields (option, ending of its file, command) for every option that names one output file."""
+        log, own = self.written("a.log", FRAME), self.path / "own"
+        simulate = "simulate", "--terrain", "varied", "--tracks", "--count", 1
+        robot = "robot", "check", f"{SOURCE}/resources/robots/absolem.toml"
+        truth = "truth", self.written("cloud.xyz", "0 0 0\n"), "--scenes", self.scenes, "--poses", self.scenes
+        mapped = "import", log, "--mapping", f"{SOURCE}/resources/mappings/terratact.toml"
+        yield from (
+            ("--out", "csv", "simulate", "--terrain", "varied", "--count", 1),
+            ("--out", "csv", "simulate", "--terrain", "varied", "--drives", 1),
+            ("--cloud", "pcd", *simulate, "--out", own, "--poses", own.with_suffix(".csv")),
+            ("--poses", "csv", *simulate, "--out", own, "--cloud", own.with_suffix(".pcd")),
+            ("--recording", "mcap", *simulate, "--out", own, "--cloud", own.with_suffix(".pcd"), "--poses",
+             own.with_suffix(".csv")),
+            ("--out", "csv", "reconstruct", "--data", self.scenes),
+            ("--out", "ttm", "train", "--data", self.scenes),
+            ("--out", "ttp", "train", "--data", self.scenes, "--bins", 5),
+            ("--out", "ttn", "train", "--drives", self.scenes),
+            ("--out", "ttm", "merge", self.written("a.ttp", "junk")),
+            ("--out", "csv", *truth),
+            ("--support", "csv", *truth, "--out", own),
+            ("--sheet", "png", *truth, "--out", own),
+            ("--review", "ttt", *truth, "--out", own),
+            ("--picture", "png", *robot),
+            ("--out", "toml", *robot, "--recordings", DEMO),
+            ("--csv", "csv", "can", "decode", log),
+            ("--out", "csv", "session", "export", DEMO, "--what", "events"),
+            ("--out", "log", "session", "export", DEMO),
+            ("--out", "mcap", "session", "export", DEMO),
+            ("--out", "csv", "session", "scenes", DEMO),
+            ("--out", "csv", "session", "what-if", DEMO),
+            *(("--out", ending, "session", "strip", DEMO) for ending in ("csv", "ply", "png")),
+            *(("--out", ending, "session", "report", DEMO, *mission) for ending in ("pdf", "html")
+              for mission in ((), ("--mission",))),
+            *(("--out", "tts", "session", *command)
+              for command in (("recover", DEMO), ("import", log), ("merge", DEMO, DEMO))),
+            ("--out", "tts", *mapped),
+            ("--scenes", "csv", *mapped, "--out", own.with_suffix(".tts")))
+
     def test_no_command_writes_through_a_link(self):
-        log, out = self.written("a.log", FRAME), self.path / "out"
-        for ending, *arguments in (
-                ("csv", "simulate", "--terrain", "varied", "--count", 1),
-                ("csv", "reconstruct", "--data", self.scenes),
-                ("ttm", "train", "--data", self.scenes),
-                ("csv", "session", "export", DEMO, "--what", "events"),
-                ("mcap", "session", "export", DEMO),
-                ("csv", "session", "scenes", DEMO),
-                ("csv", "session", "what-if", DEMO),
-                ("pdf", "session", "report", DEMO),
-                ("html", "session", "report", DEMO),
-                ("pdf", "session", "report", DEMO, "--mission"),
-                ("html", "session", "report", DEMO, "--mission")):
-            with self.subTest(arguments=arguments):
-                file = out.with_suffix("." + ending)
-                self.refused(file, *arguments, "--out", file)
-        self.refused(out, "can", "decode", log, "--csv", out)
-        for arguments in (("session", "recover", DEMO), ("session", "import", log), ("session", "merge", DEMO, DEMO)):
-            link = out.with_suffix(".tts")
+        options = set()
+        for option, ending, *arguments in self.outputs():
+            with self.subTest(option=option, arguments=arguments):
+                file = self.path / f"out.{ending}"
+                self.refused(file, *arguments, option, file)
+            options.add(option)
+        sources = "".join(p.read_text() for p in pathlib.Path(SOURCE, "app", "cli").rglob("*.cpp"))
+        self.assertEqual(set(re.findall(r'add(?:Text|File|Folder)Output\(\s*\*?\w+, "(--\w+)"', sources)), options)
+
+    def test_no_session_is_made_where_a_link_leads(self):
+        log, link = self.written("a.log", FRAME), self.path / "out.tts"
+        for arguments in (("recover", DEMO), ("import", log), ("merge", DEMO, DEMO)):
             link.symlink_to(self.path / "elsewhere.tts")
-            complaint(*arguments, "--out", link)
+            complaint("session", *arguments, "--out", link)
             self.assertFalse((self.path / "elsewhere.tts").exists(), arguments)
             link.unlink()
 
     def test_no_file_of_a_folder_is_written_through_a_link(self):
         needs_no_sanitizer(self, "links are found the same")
-        run("evaluate", "--data", self.scenes, "--methods", "local", "--out", self.path / "names")
-        for name in sorted(file.name for file in (self.path / "names").iterdir()):
-            self.refused(self.path / "evaluation" / name, "evaluate", "--data", self.scenes, "--methods", "local", "--out",
-                         self.path / "evaluation")
+        data, folder, part = ("--data", self.scenes), self.path / "folder", self.path / "part_1_of_1.tte"
+        run("evaluate", *data, "--methods", "local", "--shard", "1/1", "--out", self.path)
+        run("merge", part, "--out", self.path / "names")
+        report = sorted(file.name for file in (self.path / "names").iterdir())
+        for files, *arguments in (
+                (report, "evaluate", *data, "--methods", "local"),
+                (report, "merge", part),
+                (("part_1_of_2.tte",), "evaluate", *data, "--shard", "1/2"),
+                (("tracks.csv", "track_steps.csv", "missing.csv"), "evaluate", *data, "--tracks"),
+                (("tradeoff.csv", "presets.csv", "tradeoff.png", "tradeoff.svg"), "tradeoff", *data),
+                (("first.csv", "first.png", "second.csv", "second.png"), "demo")):
+            for name in files:
+                with self.subTest(name=name, arguments=arguments):
+                    self.refused(folder / name, *arguments, "--out", folder)
+        self.refused(self.path / "m.card.toml", "train", *data, "--out", self.path / "m.ttm")
+
+    def test_no_card_is_updated_through_a_link(self):
+        model = self.path / "m.ttm"
+        model.symlink_to(f"{SOURCE}/resources/models/default.ttm")
+        self.refused(self.path / "m.card.toml", "model", "card", model, "--terrain", "varied")
 
     def test_a_temporary_file_is_never_a_link(self):
         out = self.path / "out.csv"
@@ -106,6 +158,85 @@ class Modes(Scenes):
             self.assertEqual(self.mode("000", out, *arguments), 0o600, arguments)
             out.chmod(0o640)
             self.assertEqual(self.mode("000", out, *arguments), 0o640, "a replaced file keeps its mode")
+
+
+class Formulas(Scenes):
+    """No text of a file becomes a formula of a spreadsheet in any CSV that is written from it."""
+
+    FORMULA = "=1+1"
+
+    def written_by(self, *arguments):
+        """Runs a command in the folder. Returns the text of what it has written to out.csv."""
+        subprocess.run([CLI, *map(str, arguments)], cwd=self.path, check=True, capture_output=True)
+        return self.harmless(self.path / "out.csv")
+
+    def harmless(self, file):
+        text = file.read_text()
+        for field in itertools.chain.from_iterable(csv.reader(io.StringIO(text, newline=""))):
+            if field.startswith(tuple("=+-@\t\uff1d\uff0b\uff0d\uff20")):
+                self.assertTrue(is_number(field), (file.name, field))
+        return text
+
+    def named(self, file):
+        """Gives each run of a scenes CSV a name that is a formula."""
+        header, *lines = file.read_text().splitlines()
+        return self.written("named_" + file.name, "\n".join([header] + [self.FORMULA + line for line in lines] + [""]))
+
+    def test_exports_of_a_session(self):
+        session = self.path / "=1+1.tts"
+        changed(DEMO, session,
+                ("UPDATE event SET subject = ?, text = ?, shown = ?", self.FORMULA, "@SUM(A1)", "\uff1d1"),
+                ("UPDATE model SET name = ?", self.FORMULA))
+        for what in ("estimates", "signals", "frames"):
+            self.written_by("session", "export", session.name, "--what", what, "--out", "out.csv")
+        self.written_by("session", "strip", session.name, "--out", "out.csv")
+        events = self.written_by("session", "export", session.name, "--what", "events", "--out", "out.csv")
+        self.assertIn(",'=1+1,'@SUM(A1),", events)
+        for command in (("scenes",), ("scenes", "--tracks"), ("scenes", "--drives"), ("what-if",)):
+            text = self.written_by("session", *command, session.name, "--out", "out.csv")
+            self.assertIn("\n'=1+1", text, command)
+
+    def test_values_of_a_log(self):
+        self.written("d.dbc", 'BU_: G\nBO_ 291 M: 8 G\n SG_ S : 0|8@1+ (1,0) [0|0] "=1+1" X\n'
+                     'VAL_ 291 S 0 "=2+2" ;\n')
+        self.written("=a.log", FRAME.replace("can0", "=can0"))
+        text = self.written_by("can", "decode", "=a.log", "--dbc", "d.dbc", "--csv", "out.csv")
+        self.assertIn(",'=can0,123,M,,by d.dbc,S,'=2+2,'=1+1\n", text)
+        run("session", "import", self.path / "=a.log", "--out", self.path / "a.tts")
+        self.written_by("session", "export", "a.tts", "--what", "signals", "--dbc", "d.dbc", "--out", "out.csv")
+
+    def test_runs_of_scenes(self):
+        tracks, recording = self.path / "tracks.csv", self.path / "=1+1.mcap"
+        run("simulate", "--terrain", "varied", "--tracks", "--count", 2, "--out", tracks, "--recording", recording,
+            "--cloud", self.path / "cloud.pcd", "--poses", self.path / "poses.csv")
+        poses = self.named(self.path / "poses.csv")
+        truth = "truth", "cloud.pcd", "--scenes", self.named(tracks), "--poses", poses
+        for command in (("reconstruct", "--data", self.named(self.scenes), "--out", "out.csv"),
+                        ("reconstruct", "--tracks", "--data", self.named(tracks), "--out", "out.csv"),
+                        (*truth, "--out", "out.csv"), (*truth, "--out", "truth.csv", "--support", "out.csv"),
+                        ("import", recording.name, "--mapping", f"{SOURCE}/resources/mappings/simulated_robot.toml",
+                         "--out", "=1+1.tts", "--scenes", "out.csv")):
+            self.assertIn("\n'=1+1", self.written_by(*command), command)
+
+    def test_files_of_an_evaluation(self):
+        needs_no_sanitizer(self, "formulas are found the same")
+        _, *lines = self.scenes.read_text().splitlines()
+        runs = {line.split(",", 1)[0] for line in lines}
+        classes = self.written("classes.csv", "row,class\n"
+                               + "".join(f"{self.FORMULA}{name},@SUM(A1)\n" for name in runs))
+        folder = self.path / "evaluation"
+        run("evaluate", "--data", self.named(self.scenes), "--classes", classes, "--methods", "local", "--out", folder)
+        texts = {file.name: self.harmless(file) for file in folder.glob("*.csv")}
+        self.assertIn("\n'=1+1", texts["errors.csv"])
+        self.assertIn("'@SUM(A1)", texts["classes.csv"])
+
+
+def is_number(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 class Texts(Scenes):

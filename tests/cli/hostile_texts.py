@@ -99,6 +99,13 @@ def many_ranges(size):
             + "SG_MUL_VAL_ 291 Y X " + lines(size // 2, lambda i: f"{2 * i + 1}-{2 * i + 1},") + "1-1;\n")
 
 
+def repeated_texts():
+    """Makes signals of one bit, of which each has a long unit and a long word."""
+    signals = range(1000)
+    return (MESSAGE + "".join(f' SG_ S{i} : 0|1@1+ (1,0) [0|0] "{"u" * 1000}" X\n' for i in signals)
+            + "".join(f'VAL_ 291 S{i} 0 "{"w" * 300}" ;\n' for i in signals))
+
+
 def toml_files(size, robot):
     return {
         "nested arrays": "a=" + "[" * size,
@@ -325,6 +332,9 @@ def all_readers(folder, size, program, source):
     yield "DBC: many signals of many frames", path, ("can", "decode", log, "--summary", "--dbc", path)
     path, log = written("d.dbc", many_ranges(size)), written("selected.log", SELECTED * 1000)
     yield "DBC: many ranges for many signals", path, ("can", "decode", log, "--dbc", path)
+    path, log = written("d.dbc", repeated_texts()), written("few.log", FRAME * 5000)
+    yield "DBC: repeated texts", log, ("can", "decode", log, "--dbc", path)
+    yield "DBC: repeated texts in a table", log, ("can", "decode", log, "--dbc", path, "--csv", folder / "values.csv")
     robot = pathlib.Path(source, "resources/robots/absolem.toml").read_text()
     small = toml_files(65_000 - len(robot.encode()), robot)  # of at most 64 KiB
     for title, content in {**small, "too large": robot + "#" * size}.items():

@@ -7,6 +7,7 @@ import sqlite3
 import struct
 import unittest
 
+import hostile_files
 from support import SOURCE, Folder, complaint, rows, run
 
 try:
@@ -125,6 +126,18 @@ class Ros2Bags(Folder):
         said = run("import", bag, "--mapping", self.path / "m.toml", "--out", self.path / "a.tts")
         self.assertIn("50 lines of telemetry in 4.900 s", said)
         self.assertIn("ROS 2 bag (SQLite), 1 topic, 50 messages", run("import", bag, "--probe"))
+
+    def test_topics_that_share_pages_are_not_sorted_forever(self):
+        base = self.path / "base.db3"
+        with sqlite3.connect(base) as file:
+            file.executescript("""
+                CREATE TABLE topics(id INTEGER, name TEXT, type TEXT, serialization_format TEXT);
+                CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB);
+                INSERT INTO topics VALUES(1, '/angles', 'std_msgs/msg/Float64MultiArray', 'cdr');""")
+        file.close()
+        bag = hostile_files.shared_leaves(base, self.path / "a.db3", "topics")
+        self.assertIn("its tables take more steps to read than a file of its size needs",
+                      complaint("import", bag, "--probe"))
 
     def test_a_session_is_no_recording(self):
         session = pathlib.Path(SOURCE, "resources/sessions/demo.tts")

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import hostile_files
 from cost import Cost
@@ -84,6 +85,14 @@ class Recover(Damaged):
         self.assertEqual(os.listdir(self.path), [cut.name])
         newer = self.damaged(lambda data, page: data[:60] + bytes([0, 0, 0, 99]) + data[64:])
         self.assertNotIn("recover", complaint("session", "info", newer))
+
+    def test_too_few_open_files_are_not_called_damage(self):
+        make("open", self.path / "open.tts")
+        for session in (self.drive, self.path / "open.tts"):
+            said = [subprocess.run(["bash", "-c", f'ulimit -n {most}; exec "$@"', "-", CLI, "session", "info", session],
+                                   capture_output=True, text=True, timeout=300).stderr for most in range(4, 12)]
+            self.assertIn("Too many open files", "".join(said))
+            self.assertNotIn("session recover", "".join(said))
 
     def test_a_cut_session_yields_what_is_before_the_cut(self):
         said, out = self.recovered(self.damaged(lambda data, page: data[:len(data) * 9 // 10]))
@@ -288,12 +297,10 @@ class Hostile(Damaged):
 
     MOST_SECONDS, MOST_MEGABYTES = 20.0, 120.0
 
-    def check(self, path, *commands, codes=(0, 1)):
+    def check(self, path, *commands, codes=(0, 1), folder=None):
         said = []
         for command in commands:
-            out = self.path / ("out.csv" if command == "export" else "out.tts")
-            out.unlink(missing_ok=True)
-            done = hostile_files.cost(CLI, command, path, out)
+            done = hostile_files.cost(CLI, command, path, folder or self.path)
             self.assertIn(done.code, codes, (command, done.said))
             self.assertLess(done.seconds, self.MOST_SECONDS, command)
             self.assertLess(done.megabytes, self.MOST_MEGABYTES, command)
@@ -313,9 +320,24 @@ class Hostile(Damaged):
         self.assertIn("NO", self.check(path, "info", "verify", "what-if")[0])
 
     def test_trees_of_shared_leaves_end_at_once(self):
-        for table in ("event", "can_frame", "batch"):
-            path = hostile_files.shared_leaves(self.rows, self.path / f"{table}.tts", table)
-            self.check(path, "info", "verify", "recover")
+        sessions = self.path / "sessions"
+        sessions.mkdir()
+
+        def check(table):
+            path = hostile_files.shared_leaves(self.rows, sessions / f"{table}.tts", table)
+            (self.path / table).mkdir()
+            self.check(path, "info", "verify", "what-if", *hostile_files.OUTPUTS, folder=self.path / table)
+
+        with ThreadPoolExecutor() as pool:  # most of the time is for starting
+            list(pool.map(check, hostile_files.TABLES))
+        said = self.check(sessions, "list", codes=(0,))[0]
+        for table in ("scene", "estimate", "proposal", "event"):
+            self.assertIn(f"{table}.tts: its rows hold more bytes than the file has: they share pages", said)
+
+    def test_a_list_looks_for_rare_events_in_bounded_time(self):
+        hostile_files.rare_events(self.rows, self.path / "rare.tts", "marker")
+        self.assertIn("rare.tts: its tables take more steps to read than a file of its size needs",
+                      self.check(self.path, "list")[0])
 
     def test_pipes_and_devices_are_no_sessions(self):
         pipe = self.path / "pipe.tts"

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <string>
 
+#include "app/pages/table_csv.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/base/theme.h"
@@ -13,6 +14,12 @@
 
 namespace terratact {
 namespace {
+
+TEST(TableCsv, noCellBecomesAFormula)
+{
+    EXPECT_EQ(csvOfTable("bin\t=1+1\n+0.5\t@SUM(A1)\n").toStdString(),
+              "bin,'=1+1\n+0.5,'@SUM(A1)\n");
+}
 
 TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
 {
