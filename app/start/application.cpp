@@ -66,17 +66,28 @@ bool lettersExist()
     return !QFontInfo(QApplication::font()).family().isEmpty();
 }
 
+/// Prints why the program ends. Without memory even for the sentence, it prints nothing.
+void sayFailure(const std::exception& failure)
+{
+    try {
+        printText(stderr, "terratact-console: {}\n", describeFailure(failure));
+    } catch (const std::exception&) {
+    }
+}
+
 }  // namespace
 
 bool GuardedApplication::notify(QObject* receiver, QEvent* event)
 {
+    const bool isInLoop = QThread::currentThread() == thread() && thread()->loopLevel() > 0;
+    if (isInLoop && hasFailed_) return true;  // a later exit() would replace the code
     try {
         return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
-        if (QThread::currentThread()->loopLevel() == 0) throw;
-        if (!hasFailed_.exchange(true))
-            printText(stderr, "terratact-console: {}\n", describeFailure(error));
+        if (!isInLoop) throw;
+        hasFailed_ = true;
         QApplication::exit(EXIT_FAILURE);
+        sayFailure(error);
         return true;
     }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QApplication>
-#include <atomic>
 #include <optional>
 #include <string>
 
@@ -13,16 +12,17 @@ namespace terratact {
 
 class ConsoleWindow;
 
-/// A QApplication that a failing event handler ends in order, because Qt forbids exceptions through its event loop.
-/// notify() prints describeFailure() of the first std::exception, and exec() returns EXIT_FAILURE. The windows are then
-/// destroyed as always: the robot is halted and the recording closed. Outside exec() the exception is thrown on.
+/// A QApplication that a failing event handler of its thread ends in order, because Qt forbids exceptions through its
+/// event loop. notify() prints describeFailure() of the first std::exception, delivers no further event, and exec()
+/// returns EXIT_FAILURE. The windows are then destroyed as always: the robot is halted and the recording closed. Outside
+/// exec() and in other threads the exception is thrown on.
 class GuardedApplication final : public QApplication {
 public:
     using QApplication::QApplication;
     bool notify(QObject* receiver, QEvent* event) override;
 
 private:
-    std::atomic<bool> hasFailed_ = false;
+    bool hasFailed_ = false;
 };
 
 /// Creates the QApplication only when the first window opens, so that earlier errors need no display.

@@ -156,6 +156,7 @@ private:
                             .schemaEncoding = "ros1msg"};
         topic.schema = texts_.keep(topic.type, about.text("message_definition"));
         if (!topic.schema) remark(topic.schema.error().text);
+        if (about.text("message_definition").empty()) topic.schemaEncoding.clear();
         topicOf_[*id] = topics_.size();
         topics_.push_back(std::move(topic));
     }

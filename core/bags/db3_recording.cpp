@@ -109,6 +109,7 @@ private:
             hasMoreDefinitions_ = all.size() == MessageSchema::kMaxStructs;
             if (hasMoreDefinitions_) break;
             const std::string type = keptName(rows.text(0));
+            if (rows.text(2).empty()) continue;  // its recorder did not find the definition
             const auto kept = texts.keep(type, rows.text(2));
             all.insert_or_assign(
                 type, StoredDefinition{.encoding = keptName(rows.text(1)), .text = kept});

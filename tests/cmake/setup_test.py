@@ -145,6 +145,7 @@ def sum_of(data):
     return f"{hashlib.sha256(data).hexdigest()} {len(data)}"
 
 
+@unittest.skipUnless(shutil.which("apt-get") and shutil.which("gpg"), "apt or gpg is missing")
 class Sources(SetUp):
     tools = SOURCE_TOOLS
 

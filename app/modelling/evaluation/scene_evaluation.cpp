@@ -89,6 +89,7 @@ void judgeMethod(Method method, const Workload& work, Findings& findings)
     settings.method = method;
     const EvaluateOptions& options = work.options;
     MethodRun run{.label = labelOf(settings)};
+    run.contradicting = 0;
     std::vector<ProbeRun> probes;
     Progress progress = sceneProgress(method, work.scenes.size());
     forParts(work.scenes, [&](std::size_t begin, std::span<const Scene> scenes) {
@@ -101,8 +102,7 @@ void judgeMethod(Method method, const Workload& work, Findings& findings)
         if (options.probes && !usesArm(method))
             addTrials(probes, tryProbeRules(run.label, scenes, estimates, first, work.bundle,
                                             settings, options.stepLimit, options.seconds));
-        run.contradicting =
-            run.contradicting.value_or(0) + checkEstimates(scenes, work.bundle.robot, estimates);
+        *run.contradicting += checkEstimates(scenes, work.bundle.robot, estimates);
         judgeEstimates(run, first, scenes, estimates, options.stepLimit, findings);
     });
     append(findings.probes, probes);

@@ -38,10 +38,12 @@ struct Applications : testing::Test {
 TEST_F(Applications, endWithOneSentenceIfAnEventHandlerFails)
 {
     for (int i = 0; i < 3; ++i) QCoreApplication::postEvent(&greedy, new QEvent(QEvent::User));
+    QMetaObject::invokeMethod(
+        &greedy, [] { QApplication::exit(1000); }, Qt::QueuedConnection);
     testing::internal::CaptureStderr();
     const int code = QApplication::exec();
     const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(code, EXIT_FAILURE);
+    EXPECT_EQ(code, EXIT_FAILURE) << "not the code of an event behind the failure";
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
     EXPECT_TRUE(said.starts_with("terratact-console: this work needs more memory than there is"))
         << said;

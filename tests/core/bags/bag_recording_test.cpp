@@ -107,6 +107,18 @@ TEST_F(BagFiles, aDefinitionThatIsTooLargeCostsItsTopic)
         << found.remarks[1];
 }
 
+TEST_F(BagFiles, anEmptyDefinitionIsNone)
+{
+    BagBytes bag = someMessages();
+    bag.connection(2, "/c", "std_msgs/Float64", "");
+    bag.message(2, 9, 0, number(4.5));
+    const ReadRecording found = read(bag.chunk("bz2").bytes());
+    ASSERT_EQ(found.messages.size(), 3U);
+    EXPECT_EQ(found.messages[2], "/c 9000000000 4.500000");
+    for (const std::string& remark : found.remarks)
+        EXPECT_EQ(remark.find("shipped"), std::string::npos) << remark;
+}
+
 TEST_F(BagFiles, otherVersionsAreNamed)
 {
     const auto opened = openRecording(directory.write("a.bag", "#ROSBAG V1.2\nfoo"));

@@ -148,6 +148,18 @@ TEST_F(Db3Files, aCommonTypeIsNotDecodedByAnotherDefinition)
         << behindTheBound[0];
 }
 
+TEST_F(Db3Files, anEmptyDefinitionIsNone)
+{
+    const std::string path = written(
+        tables()
+        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
+          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
+          "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'unknown', '', '');"
+        + message(1, 5, number(1.5)));
+    EXPECT_EQ(read(path), std::vector<std::string>{"/a 5 1.500000"});
+    EXPECT_EQ(remarks, std::vector<std::string>{});
+}
+
 TEST_F(Db3Files, otherDatabasesAreRefused)
 {
     const auto opened = openRecording(written("CREATE TABLE messages(id INTEGER);"));
