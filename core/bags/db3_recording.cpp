@@ -109,8 +109,9 @@ private:
             hasMoreDefinitions_ = all.size() == MessageSchema::kMaxStructs;
             if (hasMoreDefinitions_) break;
             const std::string type = keptName(rows.text(0));
-            if (rows.text(2).empty()) continue;  // its recorder did not find the definition
-            const auto kept = texts.keep(type, rows.text(2));
+            const std::string text = rows.text(2);
+            if (text.empty()) continue;  // its recorder did not find the definition
+            const auto kept = texts.keep(type, text);
             all.insert_or_assign(
                 type, StoredDefinition{.encoding = keptName(rows.text(1)), .text = kept});
             if (!kept) remark(kept.error().text);
