@@ -16,6 +16,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QWidget>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "tests/support/devices/paint_watch.h"
+#include "tests/support/test_clock.h"
 #include "tests/support/thread_time.h"
 
 /// Helpers of the GUI tests.
@@ -37,11 +39,21 @@ inline constexpr std::array kHostile{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::max(), -1e300};
 
-/// Runs the event loop until the condition is true; returns false after `patience` [ms].
+/// Runs the event loop until the condition is true; returns false after `patience` [ms] of the testClock, which a busy
+/// machine slows down. Without such a clock it returns false only after kHang, too.
 template <class Condition>
 bool eventually(Condition&& condition, int patience = 20000)
 {
-    return QTest::qWaitFor(std::forward<Condition>(condition), patience);
+    constexpr int kHang = 120'000;  // [ms] of the machine's clock, against tests that never end
+    const double begin = testClock ? testClock() : 0.0;
+    bool isTrue = false;
+    (void)QTest::qWaitFor(
+        [&] {
+            isTrue = condition();
+            return isTrue || (testClock && testClock() - begin > 0.001 * patience);
+        },
+        std::max(patience, kHang));
+    return isTrue;
 }
 
 /// Shows a widget and gives it the focus of its window.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/runtime/steady_now.h"
+#include "tests/support/test_clock.h"
 
 namespace terratact {
 
@@ -18,6 +19,7 @@ namespace terratact {
 /// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
 /// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone.
 /// While it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
+/// As long as it exists, it is the testClock.
 class PatientClock {
 public:
     /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn
@@ -28,12 +30,25 @@ public:
     /// [s] the same for the window's thread, which may paint for long
     static constexpr double kWindowGone = 10.0;
 
+    PatientClock()
+    {
+        testClock = [this] { return time(); };
+    }
+    ~PatientClock() { testClock = nullptr; }
+    PatientClock(const PatientClock&) = delete;
+    PatientClock& operator=(const PatientClock&) = delete;
+
+    /// Returns the time of the newest read of any thread [s].
+    double time() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return time_;
+    }
     /// Returns the time [s]; any thread may call it. The calling thread counts from now on.
     double now()
     {
         const std::scoped_lock lock(mutex_);
         const double machine = steadyNow();
-        if (time_ == 0.0) time_ = machine_ = machine;
         seen_ += std::min(machine - std::exchange(machine_, machine), kPause);
         const auto mine = reads_.find(::gettid());
         if (mine != reads_.end()) mine->second.seen = seen_;
@@ -85,9 +100,9 @@ private:
 
     mutable std::mutex mutex_;  // guards the members below
     std::map<pid_t, Read> reads_;
-    double time_ = 0.0;
-    double machine_ = 0.0;  ///< the machine's clock at the last read of any thread [s]
-    double seen_ = 0.0;     ///< [s] of the machine's clock, without long pauses of all threads
+    double time_ = steadyNow();
+    double machine_ = time_;  ///< the machine's clock at the last read of any thread [s]
+    double seen_ = 0.0;       ///< [s] of the machine's clock, without long pauses of all threads
 };
 
 }  // namespace terratact
