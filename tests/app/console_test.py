@@ -217,7 +217,7 @@ class Console(unittest.TestCase):
 
     def said_until_ended(self, folder, home, user):
         """Starts the console in folder, ends it with SIGTERM once its window is shown, and returns its lines."""
-        environment = {"PATH": os.environ["PATH"], "QT_QPA_PLATFORM": "offscreen", **home}
+        environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "QT_QPA_PLATFORM": "offscreen", **home}
         console = subprocess.Popen([CONSOLE], cwd=folder, env=environment, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True, **user)
         try:
