@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,8 +15,6 @@ enum class SignalOrigin : std::uint8_t {
     Estimate,   ///< estimates; a value holds until the next one
     Payload     ///< frames of other devices that a DBC file describes
 };
-inline constexpr std::array kSignalOrigins{SignalOrigin::Telemetry, SignalOrigin::Bus,
-                                           SignalOrigin::Estimate, SignalOrigin::Payload};
 
 /// Returns "telemetry", "bus", "estimate" or "payload".
 std::string_view name(SignalOrigin origin);

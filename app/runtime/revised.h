@@ -33,7 +33,6 @@ public:
     }
 
     const std::optional<T>& value() const { return value_; }
-    bool hasValue() const { return value_.has_value(); }
     explicit operator bool() const { return value_.has_value(); }
     const T& operator*() const { return *value_; }
     const T* operator->() const { return &*value_; }

@@ -33,7 +33,6 @@ enum class AlarmState : std::uint8_t {
     Returned,        ///< the cause is gone, nobody has acknowledged it
     Acknowledged,    ///< the cause persists, the operator has acknowledged it
 };
-inline constexpr int kAlarmStates = 3;
 
 struct Alarm {
     std::string id;  ///< identifies the cause: one alarm per cause

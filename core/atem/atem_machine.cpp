@@ -238,11 +238,6 @@ bool exploring(AtemPhase phase)
     return false;
 }
 
-bool mayDrive(AtemPhase phase)
-{
-    return !exploring(phase) && phase != AtemPhase::Stopped;
-}
-
 SourceText describe(AtemPhase phase)
 {
     switch (phase) {

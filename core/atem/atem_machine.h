@@ -149,9 +149,6 @@ std::optional<double> deadline(const AtemState& state, const AtemLimits& limits)
 /// Returns true from Halting to EstimatingAgain, and in Advancing: the robot is busy.
 bool exploring(AtemPhase phase);
 
-/// Returns true if the robot may be driven by hand: no exploration runs and STOP is not latched.
-bool mayDrive(AtemPhase phase);
-
 /// Return a text for the operator.
 SourceText describe(AtemPhase phase);
 SourceText describe(AtemFailure failure);

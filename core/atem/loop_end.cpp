@@ -48,9 +48,4 @@ std::string_view name(LoopEnd end)
     return nameIn(kLoopEndNames, end);
 }
 
-std::optional<LoopEnd> loopEndFromName(std::string_view text)
-{
-    return valueIn<LoopEnd>(kLoopEndNames, text);
-}
-
 }  // namespace terratact

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "core/base/message.h"
@@ -34,8 +33,7 @@ enum class LoopEnd : std::uint8_t {
 /// Returns a text for the operator.
 SourceText describe(LoopEnd end);
 
-/// Return the name that a session file holds, and the value of that name.
+/// Returns the name that a session file holds.
 std::string_view name(LoopEnd end);
-std::optional<LoopEnd> loopEndFromName(std::string_view text);
 
 }  // namespace terratact

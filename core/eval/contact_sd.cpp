@@ -68,10 +68,4 @@ ContactSummary summariseContacts(std::span<const ContactResidual> residuals)
     return summary;
 }
 
-ContactCalibration contactCalibration(std::span<const ContactResidual> residuals)
-{
-    const ResidualStatistics all = summariseContacts(residuals).all;
-    return {all.mean, all.sd, all.n};
-}
-
 }  // namespace terratact

@@ -45,13 +45,4 @@ struct ContactSummary {
 };
 ContactSummary summariseContacts(std::span<const ContactResidual> residuals);
 
-/// Correction and sd that make contact heights fit the truth: h = contact + bias ± sd.
-struct ContactCalibration {
-    double bias = 0.0;  ///< [m] mean residual
-    double sd = 0.0;    ///< sd of the residuals [m]; 0 if n < 2: unknown
-    std::size_t n = 0;
-    bool operator==(const ContactCalibration&) const = default;
-};
-ContactCalibration contactCalibration(std::span<const ContactResidual> residuals);
-
 }  // namespace terratact

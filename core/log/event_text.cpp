@@ -96,14 +96,4 @@ Message subjectOf(const EventRow& event)
     return messageOr(phaseOf(event), event.subject);
 }
 
-std::string subjectWords(const EventRow& event)
-{
-    return subjectOf(event).english();
-}
-
-std::string textWords(const EventRow& event)
-{
-    return messageOf(event).english();
-}
-
 }  // namespace terratact

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "core/atem/arming.h"
@@ -36,9 +35,5 @@ EventRow withScreen(EventRow event, Message screen);
 /// Returns what was on the screen, for the operator: in parts, or the English text of versions 1 to
 /// 5.
 Message screenOf(const EventRow& event);
-
-/// Return subjectOf() and messageOf() in English.
-std::string subjectWords(const EventRow& event);
-std::string textWords(const EventRow& event);
 
 }  // namespace terratact

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/modelling/truth/laser_truth.h"
+#include "app/modelling/truth/truth_file.h"
 #include "core/clouds/made_cloud.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/terrain/ground_lines.h"
@@ -40,6 +41,14 @@ LaserTruth madeTruth(const Directory& directory, int count)
     auto truth = laserTruth(options);
     if (!truth) throw std::runtime_error(truth.error().text);
     return *std::move(truth);
+}
+
+/// Writes a truth file.
+inline Status writeTruthFile(const std::string& path, const LaserTruth& truth,
+                             const std::string& robotFile)
+{
+    auto file = newTruthFile(path, truth, robotFile);
+    return file ? file->commit() : file.error();
 }
 
 }  // namespace terratact

@@ -235,7 +235,6 @@ void TrainingPage::adoptionDone()
     clearComparison();
     showStatus(tr("%1 is in use now").arg(format::fileName(options_.model)));
     enter(Phase::Idle);
-    emit adoptionFinished(options_.model);
 }
 
 void TrainingPage::adoptionFailed(const Message& why)

@@ -65,8 +65,7 @@ public slots:
     void adoptionFailed(const Message& why);  ///< call when loading failed
 
 signals:
-    void adopted(const QString& path);           ///< the operator adopts this model
-    void adoptionFinished(const QString& path);  ///< the adopted model is in use
+    void adopted(const QString& path);  ///< the operator adopts this model
 
 private:
     enum class Phase { Idle, Training, Trained, Comparing, Compared, Adopting };

@@ -250,13 +250,6 @@ Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
     return file;
 }
 
-Status writeTruthFile(const std::string& path, const LaserTruth& truth,
-                      const std::string& robotFile)
-{
-    auto file = newTruthFile(path, truth, robotFile);
-    return file ? file->commit() : file.error();
-}
-
 TruthFile::TruthFile(std::string path, SqliteFile file)
     : path_(std::move(path)), file_(std::make_unique<SqliteFile>(std::move(file)))
 {

@@ -24,9 +24,6 @@ inline constexpr std::size_t kMaxTruthScenes = 20'000;
 /// file: too many scenes, or what SQLite and file_write.h refuse.
 Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
                              const std::string& robotFile);
-/// Writes the same file at once.
-Status writeTruthFile(const std::string& path, const LaserTruth& truth,
-                      const std::string& robotFile);
 
 /// A truth file of any source. Scenes are read at once, cells when they are asked for. Files of the first version hold
 /// slices to 1 mm instead of cells. One thread at a time.

@@ -107,12 +107,9 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 /// flippers' edge.
 std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
 
-/// A fall narrower than this may be overlooked between two places that were felt [m].
-inline constexpr double kArmSpan = kBinWidth;  // kFeltCells cells
-
 /// Returns the felt cells and those that the arm's points join. The arm touches a point at the centre
-/// of its bin. Cells between a point and the next felt cell or point, at most kArmSpan away, count as
-/// felt. A point alone feels no cell: a fall may begin beside it.
+/// of its bin. Cells between a point and the next felt cell or point, at most kBinWidth away, count as
+/// felt: a narrower fall may be overlooked. A point alone feels no cell: a fall may begin beside it.
 FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate);
 
 /// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.

@@ -29,7 +29,6 @@ inline constexpr std::array kMethods{Method::Pa,    Method::Pac,       Method::P
 inline constexpr std::array kSceneMethods{Method::Pa,    Method::Pac,       Method::Pafc,
                                           Method::Pafac, Method::Clearance, Method::Joint,
                                           Method::Local};
-inline constexpr std::array kPaperMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
 
 /// Treatment of a sample above the body's ceiling.
 ///   Truncate  drawn from the Gaussian cut off above the ceiling (section 4.3)

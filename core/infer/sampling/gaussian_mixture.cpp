@@ -66,15 +66,6 @@ GaussianMixture GaussianMixture::collapsed() const
             covariance + spread * weight.asDiagonal() * spread.transpose()};
 }
 
-double GaussianMixture::cdf(int i, double x) const
-{
-    const double sd = std::sqrt(std::max(covariance(i, i), 1e-300));
-    double sum = 0.0;
-    for (Eigen::Index k = 0; k < weight.size(); ++k)
-        sum += weight[k] * normalCdf((x - mean(i, k)) / sd);
-    return sum;
-}
-
 double GaussianMixture::quantile(int i, double p) const
 {
     if (!(p > 0.0 && p < 1.0))

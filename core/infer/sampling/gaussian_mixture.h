@@ -31,9 +31,6 @@ struct GaussianMixture {
     /// Returns one Gaussian with the mixture's mean and covariance.
     GaussianMixture collapsed() const;
 
-    /// Returns P(y_i ≤ x).
-    double cdf(int i, double x) const;
-
     /// Returns x with P(y_i ≤ x) = p, to 1e-9 of the coordinate's spread. Throws unless 0 < p < 1.
     double quantile(int i, double p) const;
 

@@ -78,7 +78,7 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 
 /// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
 /// answers. Where the robot's answer does not follow from those of the sides, it precedes them:
-/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane: describeStepVerdict(). A
+/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane: stepVerdictMessage(). A
 /// cross slope within kAmberReserve of the tip-over angle follows: "cross slope 41° of 54°".
 Message messageOf(const TwoTrackVerdict& verdict);
 /// Returns messageOf() in English.

@@ -212,16 +212,6 @@ Message unfeltMessage(const Verdict& verdict)
     return Message::listed(std::move(parts), "; ");
 }
 
-std::string describeStepVerdict(const Verdict& verdict)
-{
-    return stepVerdictMessage(verdict).english();
-}
-
-std::string describeUnfelt(const Verdict& verdict)
-{
-    return unfeltMessage(verdict).english();
-}
-
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
                   const LinkSinceScene& since, double limit)
 {

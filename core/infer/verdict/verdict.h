@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/message.h"
@@ -45,7 +44,6 @@ enum class Shortfall : std::uint8_t {
     ShortHorizon,  ///< the front flippers reach further than the ground they press on
     Spanned        ///< bins before the horizon are only bounded or felt in part
 };
-inline constexpr int kShortfalls = 4;
 
 /// Returns a sentence such as "the front flippers press on nothing"; empty for None.
 SourceText describe(Shortfall shortfall);
@@ -107,10 +105,6 @@ Message unfeltMessage(const Verdict& verdict);
 /// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL". Over spanned ground: "CLEAR to +0.55 m,
 /// felt to +0.35 m", or "CLEAR to +0.55 m, nothing felt ahead".
 Message stepVerdictMessage(const Verdict& verdict);
-
-/// Return unfeltMessage() and stepVerdictMessage() in English.
-std::string describeUnfelt(const Verdict& verdict);
-std::string describeStepVerdict(const Verdict& verdict);
 
 /// Returns true if a bin ahead is bounded or not felt. Where the touch is not recorded: if only the
 /// training set supports the bin (TerrainEstimate::priorOnly). bin: 0 … 10.

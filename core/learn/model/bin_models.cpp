@@ -37,11 +37,6 @@ BinModels::BinModels(const ModelData& model, FeatureSet set)
 {
 }
 
-int BinModels::inputSize() const
-{
-    return static_cast<int>(standardised_.cols()) - 1;
-}
-
 const GaussianProcess& BinModels::bin(int i, int inducing, const Poll& poll) const
 {
     if (i < 0 || i >= kBins) throw std::invalid_argument("bins are numbered 0 to 10");

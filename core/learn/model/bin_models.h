@@ -28,7 +28,6 @@ public:
     BinModels(const ModelData& model, FeatureSet set);
 
     FeatureSet set() const { return data_.set; }
-    int inputSize() const;  ///< 10 + number of features
     const BinModelData& data() const { return data_; }
 
     /// Returns the Gaussian process of a bin, through at most `inducing` rows; 0: as trained. The

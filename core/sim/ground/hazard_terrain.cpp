@@ -79,11 +79,6 @@ std::string_view name(Hazard hazard)
     return nameIn(kHazardNames, hazard);
 }
 
-std::optional<Hazard> hazardFromName(std::string_view text)
-{
-    return valueIn<Hazard>(kHazardNames, text);
-}
-
 TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937_64& rng)
 {
     checkRoughness(roughness);

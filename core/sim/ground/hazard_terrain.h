@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <random>
 #include <string_view>
 #include <vector>
@@ -27,7 +26,6 @@ inline constexpr std::array kHazards{Hazard::Drop,     Hazard::Gap,  Hazard::Pit
 
 /// Returns "drop", "gap", "pit", "ditch", "ramp-drop", "wall" or "lip".
 std::string_view name(Hazard hazard);
-std::optional<Hazard> hazardFromName(std::string_view text);
 
 /// Range of depths and heights of hazards [m], log-uniform.
 inline constexpr double kShallowestHazard = 0.15;

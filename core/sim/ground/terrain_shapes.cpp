@@ -34,17 +34,6 @@ TerrainProfile boxTerrain(double height, double at, double width, double length)
     return std::move(path).finish(length);
 }
 
-TerrainProfile stairsTerrain(double riser, double tread, int count, double at, double length)
-{
-    TerrainPath path;
-    path.level(at);
-    for (int k = 0; k < count; ++k) {
-        path.face(riser);
-        path.level(tread);
-    }
-    return std::move(path).finish(length);
-}
-
 TerrainProfile slopeTerrain(double angle, double at, double length)
 {
     TerrainPath path;

@@ -17,9 +17,6 @@ TerrainProfile stepTerrain(double height, double at, double length);
 /// Returns level ground with a box of `height` and `width` [m] that begins at x = `at`.
 TerrainProfile boxTerrain(double height, double at, double width, double length);
 
-/// Returns `count` equal stairs that go up (down if riser is negative) from x = `at`.
-TerrainProfile stairsTerrain(double riser, double tread, int count, double at, double length);
-
 /// Returns level ground that becomes a slope of `angle` [rad] at x = `at`.
 TerrainProfile slopeTerrain(double angle, double at, double length);
 

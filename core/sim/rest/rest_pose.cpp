@@ -256,14 +256,6 @@ RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const R
 
 }  // namespace
 
-double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, const Pose& pose,
-                       const FlipperDrive& front, const FlipperDrive& rear,
-                       const GroundOptions& ground)
-{
-    const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
-    return potential(pose, ground.stiffness, nullptr, nullptr);
-}
-
 Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,
                           const FlipperDrive& front, const FlipperDrive& rear, double startPitch,
                           const GroundOptions& ground)

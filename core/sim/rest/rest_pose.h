@@ -28,18 +28,13 @@ struct RestPose {
     std::size_t terrainPoints = 0;
 };
 
-/// Returns the potential energy of a pose [J]: weight, flipper torques (τ·angle) and the compressed
-/// skin:
+/// Returns the rest pose with the base origin at x. It is a local minimum of the potential energy
+/// over height, pitch and the pressed flippers' angles. The robot reaches it when it is lowered from
+/// `startPitch` with growing contact stiffness. Friction holds x.
+/// The potential energy [J] is that of weight, flipper torques (τ·angle) and the compressed skin:
 ///   E = Σ m g z + τ_front θ_front + τ_rear θ_rear + ½ Σ (k_soft depth² + k max(0, depth − softLayer)²)
 /// depth: how deep a point of the ground lies in a part's skin. k_soft: stiffness of the soft
 /// layer, if there is one. A held flipper has no torque term.
-double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, const Pose& pose,
-                       const FlipperDrive& front, const FlipperDrive& rear,
-                       const GroundOptions& ground = {});
-
-/// Returns the rest pose with the base origin at x. It is a local minimum of potentialEnergy over
-/// height, pitch and the pressed flippers' angles. The robot reaches it when it is lowered from
-/// `startPitch` with growing contact stiffness. Friction holds x.
 /// Model: a robot at rest minimises its potential energy over terrain that it cannot enter. The
 /// contact forces are the forces of stiff one-sided springs. A held axle that needs more than its
 /// motors' torque gives way (RestPose::front, rear).

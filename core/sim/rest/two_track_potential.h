@@ -31,7 +31,7 @@ using SideContacts = std::array<std::vector<GroundContact>, 2>;
 
 /// Potential energy of a robot with two tracks on lines of ground [J]:
 ///   E = m g z_body + Σ flippers (½ m g z + τ θ) + Σ sides ½ (compressed skin)
-/// as potentialEnergy() of the plane (core/sim/rest/rest_pose.h). Each side carries half of the stiffness
+/// as in the plane (restPose() of core/sim/rest/rest_pose.h). Each side carries half of the stiffness
 /// of a point. Each track and each flipper stands over the line at its y (sidePose()). The body's
 /// polygons stand over both tracks' lines, so that equal lines carry them as the plane does. Higher
 /// ground between the tracks is unknown and does not carry the robot. Friction holds x.

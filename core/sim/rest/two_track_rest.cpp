@@ -265,19 +265,6 @@ Result<TwoTrackRest> restPose(const RobotModel& robot, const GroundLines& terrai
     return rest;
 }
 
-std::optional<TwoTrackRest> secondStableRoll(const RobotModel& robot, const GroundLines& terrain,
-                                             const PerFlipper<FlipperDrive>& drives,
-                                             const TwoTrackRest& rest, const GroundOptions& ground)
-{
-    constexpr double kOtherStart = 0.12, kOther = 0.01;  // [rad]
-    for (const double tilt : {kOtherStart, -kOtherStart}) {
-        auto other = restPose(robot, terrain, rest.pose.base.x, drives,
-                              {rest.pose.pitch, rest.pose.roll + tilt}, ground);
-        if (other && std::abs(other->pose.roll - rest.pose.roll) > kOther) return *std::move(other);
-    }
-    return std::nullopt;
-}
-
 TwoTrackReadings exactReadings(const RobotModel& robot, const TwoTrackRest& rest)
 {
     TwoTrackReadings readings;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/base/result.h"
 #include "core/robot/two_tracks.h"
 #include "core/sim/rest/flipper_drive.h"
@@ -49,14 +47,6 @@ PerFlipper<FlipperDrive> flipperDrives(const FlipperDrive& front, const FlipperD
 Result<TwoTrackRest> restPose(const RobotModel& robot, const GroundLines& terrain, double x,
                               const PerFlipper<FlipperDrive>& drives, const RestStart& start = {},
                               const GroundOptions& ground = {});
-
-/// Returns the second stable roll at the same x: the robot may rock from one to the other. It is a
-/// rest pose whose roll differs from that of `rest` by more than 0.01 rad. The robot is lowered with
-/// 0.12 rad more and less roll to find it; empty if neither finds one.
-std::optional<TwoTrackRest> secondStableRoll(const RobotModel& robot, const GroundLines& terrain,
-                                             const PerFlipper<FlipperDrive>& drives,
-                                             const TwoTrackRest& rest,
-                                             const GroundOptions& ground = {});
 
 /// Returns the exact readings at a rest pose. Forces are those of the robot's force arrays, saturated;
 /// rear forces exist if the robot has rear elements.

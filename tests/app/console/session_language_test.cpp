@@ -134,8 +134,10 @@ TEST(SessionLanguage, aSentenceOfAnEarlierVersionIsShownAsTodays)
     for (const char* number : {"100", "0.30", "0.05", "+0.5", "+0.6", "0.30"})
         step.arguments.push_back(Message::verbatim(number));
     event.message.arguments = {step};
-    EXPECT_EQ(textWords(event), "left: a step ahead of more than 100 mm: probability 0.30 ± 0.05, "
-                                "most likely at +0.5 m … +0.6 m (0.30)");
+    EXPECT_EQ(
+        messageOf(event).english(),
+        "left: a step ahead of more than 100 mm: probability 0.30 ± 0.05, most likely at +0.5 "
+        "m … +0.6 m (0.30)");
     const InLanguage german("de");
     ASSERT_TRUE(german.isThere);
     EXPECT_EQ(sentenceOf(event).toStdString(),

@@ -59,7 +59,7 @@ TEST_F(ReviewOf, anEstimateWithAMemoryIsRepeatedBitForBit)
     WhatIfPage& page = *window->whatIf();
     EXPECT_EQ(page.method()->currentText(), "trail");
     page.estimate();
-    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().value().has_value(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("bit for bit"))
         << page.result()->text().toStdString();
     EXPECT_TRUE(
@@ -106,7 +106,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     press(Qt::Key_E);
     WhatIfPage& page = *window->whatIf();
     EXPECT_EQ(page.seed()->text(), "18446744073709551557");
-    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().value().has_value(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("bit for bit"))
         << page.result()->text().toStdString();
     EXPECT_EQ(*page.answer(), row.estimate);
@@ -121,7 +121,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 
     window->goTo(1.7);
     page.estimate();
-    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().value().has_value(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("except for rounding in the last bits"))
         << page.result()->text().toStdString();
 }
@@ -135,7 +135,7 @@ TEST_F(ReviewOf, theShippedSessionOfTwoTracksIsReproduced)
     WhatIfPage& page = *window->whatIf();
     EXPECT_EQ(page.table()->rowCount(), 2 * kBins);
     page.estimate();
-    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().value().has_value(); }, 60000));
     EXPECT_FALSE(page.answer()->onePlane);
     const QString text = page.result()->text();
     EXPECT_TRUE(text.contains("reproduce the recorded estimate")) << text.toStdString();
@@ -160,7 +160,8 @@ TEST_F(ReviewOf, theShippedSessionIsReproduced)
         }
         ASSERT_TRUE(window->moment().estimate);
         window->whatIf()->estimate();
-        ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().hasValue(); }, 60000));
+        ASSERT_TRUE(
+            eventually([&] { return window->whatIf()->answer().value().has_value(); }, 60000));
         EXPECT_TRUE(window->whatIf()->result()->text().contains("reproduce the recorded estimate"))
             << window->whatIf()->result()->text().toStdString();
     }

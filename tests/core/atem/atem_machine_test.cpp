@@ -353,13 +353,6 @@ TEST(AtemMachine, everyExploringPhaseHasADeadlineAndNoOtherHas)
     EXPECT_DOUBLE_EQ(*deadline(at(ProposingProbe), kLimits), 120.0);
 }
 
-TEST(AtemMachine, mayDriveOnlyWithoutAnExploration)
-{
-    for (const AtemPhase phase : kPhases)
-        EXPECT_EQ(mayDrive(phase), phase == Idle || phase == Presenting || phase == Failed)
-            << describe(phase).english;
-}
-
 TEST(AtemMachine, refusesATimeThatIsNotFinite)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -352,13 +352,15 @@ TEST(WhyNotAdvancing, namesEveryReason)
     }
 }
 
-TEST(LoopEndNames, areUniqueAndReadBack)
+TEST(LoopEndNames, areUnique)
 {
     for (int i = 0; i <= static_cast<int>(LoopEnd::NoOdometry); ++i) {
         const auto end = static_cast<LoopEnd>(i);
-        EXPECT_EQ(loopEndFromName(name(end)), end);
-        for (int j = 0; j < i; ++j)
-            EXPECT_STRNE(describe(end).english, describe(static_cast<LoopEnd>(j)).english);
+        for (int j = 0; j < i; ++j) {
+            const auto other = static_cast<LoopEnd>(j);
+            EXPECT_NE(name(end), name(other));
+            EXPECT_STRNE(describe(end).english, describe(other).english);
+        }
     }
 }
 

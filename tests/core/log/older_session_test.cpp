@@ -48,8 +48,8 @@ std::vector<std::string> readEvents(const SessionReader& session)
 {
     std::vector<std::string> lines;
     for (const EventRow& event : session.events())
-        lines.push_back(std::string(name(event.kind)) + '|' + subjectWords(event) + '|'
-                        + textWords(event));
+        lines.push_back(std::string(name(event.kind)) + '|' + subjectOf(event).english() + '|'
+                        + messageOf(event).english());
     return lines;
 }
 
@@ -217,7 +217,7 @@ TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
         EXPECT_EQ(estimate.side[0], estimate.side[1]);
         EXPECT_GT(estimate.side[0].draws.size(), 100U);
         const Verdict verdict = verdictOf(estimate.side[0], scene->measurement, {}, row.stepLimit);
-        EXPECT_EQ(describeStepVerdict(verdict), "BLOCKED");
+        EXPECT_EQ(stepVerdictMessage(verdict).english(), "BLOCKED");
         EXPECT_TRUE(verdict.withheldFor.empty());
     }
 }

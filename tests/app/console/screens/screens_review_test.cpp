@@ -233,7 +233,7 @@ TEST_F(Screens, review)
         WhatIfPage& whatIf = *review->whatIf();
         whatIf.method()->setCurrentText(format::text(name(Method::Joint)));
         press(Qt::Key_E);
-        ASSERT_TRUE(eventually([&] { return whatIf.answer().hasValue(); }, 60000));
+        ASSERT_TRUE(eventually([&] { return whatIf.answer().value().has_value(); }, 60000));
         picture("what_if_by_another_method",
                 {WhatIfPage::tr("Differs from the recorded estimate by %1 at most, at bin %2.")});
         for (int i = 0; i < 10; ++i) press(Qt::Key_Plus, Qt::ControlModifier);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/normal.h"
 #include "tests/support/simulation_based_calibration.h"
 
 namespace terratact {
@@ -22,6 +23,16 @@ GaussianMixture twoHeaps()
     return m;
 }
 
+/// Returns P(y_i ≤ x).
+double cdf(const GaussianMixture& m, int i, double x)
+{
+    const double sd = std::sqrt(m.covariance(i, i));
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < m.weight.size(); ++k)
+        sum += m.weight[k] * normalCdf((x - m.mean(i, k)) / sd);
+    return sum;
+}
+
 TEST(GaussianMixture, hasQuantilesWithSpreadBelowRounding)
 {
     GaussianMixture far{Eigen::VectorXd::Ones(1), Eigen::MatrixXd::Constant(1, 1, 1e9),
@@ -34,7 +45,7 @@ TEST(GaussianMixture, quantilesInvertTheDistribution)
     const GaussianMixture m = twoHeaps();
     for (const int i : {0, 1})
         for (const double p : {1e-6, 0.025, 0.1, 0.3, 0.5, 0.9, 0.999})
-            EXPECT_NEAR(m.cdf(i, m.quantile(i, p)), p, 1e-8) << i << " " << p;
+            EXPECT_NEAR(cdf(m, i, m.quantile(i, p)), p, 1e-8) << i << " " << p;
 }
 
 TEST(GaussianMixture, densityIsTheSlopeOfTheDistribution)
@@ -44,7 +55,7 @@ TEST(GaussianMixture, densityIsTheSlopeOfTheDistribution)
     GaussianMixture wider = m;
     wider.covariance(0, 0) += kError * kError;
     for (const double z : {-3.0, -1.0, 0.4, 2.0}) {
-        const double slope = (wider.cdf(0, z + kStep) - wider.cdf(0, z - kStep)) / (2.0 * kStep);
+        const double slope = (cdf(wider, 0, z + kStep) - cdf(wider, 0, z - kStep)) / (2.0 * kStep);
         EXPECT_NEAR(std::exp(m.logDensity(0, z, kError)), slope, 1e-6) << z;
     }
     EXPECT_LT(m.logDensity(0, 1000.0, kError), -1e5) << "where the density itself is 0";
@@ -70,7 +81,7 @@ TEST(GaussianMixture, drawsHaveItsMomentsAndItsDistribution)
     EXPECT_NEAR(draws.row(1).mean(), mean[1], 0.01);
     for (const double x : {-1.0, 0.0, 1.0, 2.5}) {
         const double share = static_cast<double>((draws.row(0).array() <= x).count()) / kDraws;
-        EXPECT_NEAR(share, m.cdf(0, x), 0.004) << x;
+        EXPECT_NEAR(share, cdf(m, 0, x), 0.004) << x;
     }
 }
 
@@ -110,7 +121,7 @@ TEST(GaussianMixture, conditioningAgreesWithWeightedDraws)
     const Eigen::ArrayXd weight = likelihood / likelihood.sum();
     for (const double x : {-1.5, -0.5, 0.5, 1.5, 2.5}) {
         const double share = (draws.row(0).transpose().array() <= x).select(weight, 0.0).sum();
-        EXPECT_NEAR(after.cdf(0, x), share, 0.005) << x;
+        EXPECT_NEAR(cdf(after, 0, x), share, 0.005) << x;
     }
     EXPECT_NEAR(after.weight.sum(), 1.0, 1e-12);
 }

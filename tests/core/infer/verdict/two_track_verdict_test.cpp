@@ -166,7 +166,7 @@ TEST(TwoTrackVerdict, ofOnePlaneReadsAsThatOfOnePlane)
             EXPECT_EQ(both.side[1], own);
             EXPECT_EQ(both.both, own.stepVerdict);
             EXPECT_EQ(both.either, own.step);
-            EXPECT_EQ(describe(both), describeStepVerdict(own));
+            EXPECT_EQ(describe(both), stepVerdictMessage(own).english());
         }
     }
 }

@@ -68,7 +68,7 @@ TEST(Verdict, namesTheBinsAheadThatAreNotFelt)
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
     EXPECT_EQ(v.bounded, (std::vector<int>{9}));
-    EXPECT_EQ(describeUnfelt(v), "bounded: +0.6 m; not felt: +0.7 m");
+    EXPECT_EQ(unfeltMessage(v).english(), "bounded: +0.6 m; not felt: +0.7 m");
 }
 
 /// Everything ahead is felt up to `last`, the rest is open. Ceilings end with the felt bins.
@@ -90,7 +90,7 @@ TEST(Verdict, clearEndsAtTheFeltHorizon)
     EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_NEAR(v.horizon, 0.55, 1e-9);
     EXPECT_DOUBLE_EQ(v.feltTo, v.horizon);
-    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m");
+    EXPECT_EQ(stepVerdictMessage(v).english(), "CLEAR to +0.55 m");
     EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
     EXPECT_GE(v.step.p, 1.0 - 0.95 * 0.95 - 1e-9);  // two bins that nobody felt
     EXPECT_DOUBLE_EQ(v.toHorizon.p, 0.0);
@@ -135,7 +135,7 @@ TEST(Verdict, spannedGroundNeedsALowRate)
     EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
     EXPECT_NEAR(v.horizon, 0.55, 1e-9);
     EXPECT_NEAR(v.feltTo, 0.25, 1e-9);
-    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m, nothing felt ahead");
+    EXPECT_EQ(stepVerdictMessage(v).english(), "CLEAR to +0.55 m, nothing felt ahead");
 }
 
 TEST(Verdict, steepFlippersGetTheHelpToLieFlatter)
@@ -155,7 +155,7 @@ TEST(Verdict, oldRecordingHasNoHorizon)
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_FALSE(v.touchRecorded);
-    EXPECT_EQ(describeStepVerdict(v), "CLEAR");
+    EXPECT_EQ(stepVerdictMessage(v).english(), "CLEAR");
 }
 
 TEST(Verdict, isWithheldForEachSingleDoubt)

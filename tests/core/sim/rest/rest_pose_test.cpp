@@ -9,6 +9,7 @@
 #include "core/sim/drive.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/rest/two_track_rest.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {
@@ -125,6 +126,8 @@ TEST(RestPose, isALocalMinimumOfTheEnergy)
         const double x = stops[static_cast<std::size_t>(rng() % stops.size())];
         const auto rest = restPose(robot, terrain, x, kPress, kRear);
         ASSERT_TRUE(rest);
+        const TwoTrackPotential potential(robot, GroundLines(terrain), x,
+                                          flipperDrives(rest->front, rest->rear), {});
         for (int k = 0; k < 1000; ++k) {
             const double size = std::pow(10.0, -1.0 - 4.0 * (k % 5) / 4.0);
             Pose pose = rest->pose;
@@ -132,7 +135,11 @@ TEST(RestPose, isALocalMinimumOfTheEnergy)
             pose.pitch += 0.03 * size * normal(rng);
             if (std::holds_alternative<PressTorque>(rest->front))
                 pose.front += 0.1 * size * normal(rng);
-            EXPECT_GE(potentialEnergy(robot, terrain, pose, rest->front, rest->rear),
+            const TwoTrackPose onBothTracks{
+                .base = pose.base,
+                .pitch = pose.pitch,
+                .flippers = {pose.front, pose.front, pose.rear, pose.rear}};
+            EXPECT_GE(potential(onBothTracks, GroundOptions{}.stiffness, nullptr, nullptr),
                       rest->energy - 1e-8)
                 << "run " << run << " x " << x << " perturbation " << k;
         }
