@@ -39,7 +39,7 @@ Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const RobotModel& r
                                                              const std::string& modelPath,
                                                              const std::string& trailPath);
 
-/// Estimates one scene with the arm's readings, using the settings' method. Throws the exceptions of reconstruct().
+/// Estimates one scene with the arm's readings, using the settings' method. Throws the exceptions of estimateTerrain().
 /// seconds: time limit of the sampling; 0: no limit.
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
                              const EstimatorBundle& bundle, const Settings& settings,

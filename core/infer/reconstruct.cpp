@@ -64,13 +64,6 @@ SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading>
     return sampling;
 }
 
-TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
-                            const RobotModel& robot, const BinModels& models,
-                            const Settings& settings, const Watch& watch)
-{
-    return sampleScene(paperSampling(s, arm, robot, models, settings, watch), watch);
-}
-
 void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)
 {
     const Settings& settings = estimate.settings;

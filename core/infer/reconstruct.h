@@ -11,19 +11,15 @@
 
 namespace terratact {
 
-/// Reconstructs one scene as in the paper (sections 4.2 and 4.3). Contacts and arm readings are
-/// fixed, the other bins are sampled. models: of the feature set that settings.method uses, or of
-/// Pa, which needs no current and no force. The same scene, models and settings give the same
-/// result, bit for bit on one machine. Throws std::invalid_argument for a method that is not one of
-/// the paper's four, and for settings out of range. It also throws for models of the other feature
-/// set, a missing feature, and an estimate that is not finite. Throws Cancelled.
-TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
-                            const RobotModel& robot, const BinModels& models,
-                            const Settings& settings, const Watch& watch = {});
-
-/// Prepares the same reconstruction up to the sampling, for a caller that samples several scenes at
-/// once (EstimateBatch). The result refers to the models.
+/// Prepares one scene as in the paper (sections 4.2 and 4.3) for sampleScene(), or for a caller that
+/// samples several scenes at once (EstimateBatch). Contacts and arm readings are fixed, the other
+/// bins are sampled. models: of the feature set that settings.method uses, or of Pa, which needs no
+/// current and no force. The result refers to them. The same scene, models and settings give the
+/// same estimate, bit for bit on one machine.
 /// watch: used while models are factorised, which may happen when the chains start.
+/// Throws std::invalid_argument for a method that is not one of the paper's four, and for settings
+/// out of range. It also throws for models of the other feature set and a missing feature. Throws
+/// Cancelled.
 SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});

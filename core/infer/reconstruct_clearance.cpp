@@ -86,11 +86,4 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
     return sampling;
 }
 
-TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
-                                     const RobotModel& robot, const ClearanceConditionals& models,
-                                     const Settings& settings, const Watch& watch)
-{
-    return sampleScene(clearanceSampling(s, arm, robot, models, settings, watch), watch);
-}
-
 }  // namespace terratact

@@ -126,7 +126,8 @@ TerrainEstimate estimateBy(Method method, const ModelData& model)
     if (isClosedForm(method))
         return reconstructClosedForm(s, {}, robot, ClearanceModel(model), settings);
     if (method == Method::Pafc)
-        return reconstruct(s, {}, robot, BinModels(model, FeatureSet::Paf), settings);
+        return sampleScene(
+            paperSampling(s, {}, robot, BinModels(model, FeatureSet::Paf), settings));
     return estimateTerrain(s, {}, robot, Models(model, robot), settings);
 }
 

@@ -26,6 +26,13 @@ Settings clearanceSettings(int draws = 400)
     return settings;
 }
 
+TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
+                                     const RobotModel& robot, const ClearanceConditionals& models,
+                                     const Settings& settings)
+{
+    return sampleScene(clearanceSampling(s, arm, robot, models, settings));
+}
+
 // ---- simulated scenes
 
 struct ClearanceBench {

@@ -36,6 +36,13 @@ Settings quick(Method method)
     return settings;
 }
 
+TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const BinModels& models,
+                            const Settings& settings, const Watch& watch = {})
+{
+    return sampleScene(paperSampling(s, arm, robot, models, settings, watch), watch);
+}
+
 TerrainEstimate estimate(Method method, std::span<const ArmReading> arm = {})
 {
     const SamplingBench& b = samplingBench();

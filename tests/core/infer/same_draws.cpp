@@ -233,7 +233,8 @@ Hash hashOfEstimate(Method method)
     settings.burnIn = 5;
     if (method != Method::Clearance)
         return hashOf(reconstructClosedForm(s, arm, robot, ClearanceModel(model), settings));
-    return hashOf(reconstructClearance(s, arm, robot, someConditionals(model, robot), settings));
+    return hashOf(
+        sampleScene(clearanceSampling(s, arm, robot, someConditionals(model, robot), settings)));
 }
 
 void print(const char* what, const Hash& hash)
