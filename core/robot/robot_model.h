@@ -18,6 +18,12 @@ struct Vec2 {
     bool operator==(const Vec2&) const = default;
 };
 
+/// Returns the scalar product.
+constexpr double dot(Vec2 a, Vec2 b)
+{
+    return a.x * b.x + a.z * b.z;
+}
+
 /// Convex hull of two circles; equal centres and radii make a disc.
 struct TaperedHull {
     Vec2 a, b;                  ///< circle centres [m]

@@ -2,23 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/base/degree.h"
 #include "core/infer/estimate/contradiction.h"
 #include "core/sim/rest/rest_pose.h"
+#include "core/terrain/terrain_profile.h"
 
 namespace terratact {
 namespace {
-
-TerrainProfile groundAtBins(const Heights& heights)
-{
-    std::vector<Vec2> points;
-    points.reserve(kBins);
-    for (int bin = 0; bin < kBins; ++bin)
-        points.push_back({binCentre(bin), heights[static_cast<std::size_t>(bin)]});
-    return TerrainProfile(std::move(points));
-}
 
 bool wasPressed(const Proprioception& s)
 {
@@ -31,7 +22,7 @@ Result<RestPose> restOn(const Heights& heights, const Proprioception& s, const R
     const FlipperDrive front =
         wasPressed(s) ? FlipperDrive{PressTorque{2.0 * robot.torquePerAmpere * *s.frontCurrent}}
                       : FlipperDrive{HoldAngle{s.front}};
-    return restPose(robot, groundAtBins(heights), x, front, HoldAngle{s.rear}, s.pitch);
+    return restPose(robot, throughBins(heights), x, front, HoldAngle{s.rear}, s.pitch);
 }
 
 /// Differences as shares of the tolerances: the larger one, and the sum of both.

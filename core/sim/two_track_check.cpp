@@ -3,32 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "core/infer/estimate/contradiction.h"
 #include "core/robot/side_plane.h"
 #include "core/sim/posterior_check.h"
 #include "core/sim/rest/two_track_rest.h"
+#include "core/terrain/terrain_profile.h"
 
 namespace terratact {
 namespace {
 
 constexpr std::array kCheckedSides{Side::Left, Side::Right};
 
-/// Returns the line of one side at its bins.
-TerrainProfile lineAtBins(const Heights& heights)
-{
-    std::vector<Vec2> points;
-    points.reserve(kBins);
-    for (int bin = 0; bin < kBins; ++bin)
-        points.push_back({binCentre(bin), heights[static_cast<std::size_t>(bin)]});
-    return TerrainProfile(std::move(points));
-}
-
 GroundLines groundOf(const Heights& left, const Heights& right, const RobotModel& robot)
 {
     const double y = robot.lateral.trackY;
-    return GroundLines({{y, lineAtBins(left)}, {-y, lineAtBins(right)}});
+    return GroundLines({{y, throughBins(left)}, {-y, throughBins(right)}});
 }
 
 bool wasPressed(const TwoTrackReadings& s, Side side)

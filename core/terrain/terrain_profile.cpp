@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace terratact {
 
@@ -108,6 +109,15 @@ std::vector<Vec2> TerrainProfile::sampled(double a, double b, double spacing) co
         }
     }
     return line;
+}
+
+TerrainProfile throughBins(const Heights& heights)
+{
+    std::vector<Vec2> points;
+    points.reserve(kBins);
+    for (int bin = 0; bin < kBins; ++bin)
+        points.push_back({binCentre(bin), heights[static_cast<std::size_t>(bin)]});
+    return TerrainProfile(std::move(points));
 }
 
 Heights binHeights(const TerrainProfile& terrain, Vec2 imu)

@@ -43,6 +43,9 @@ private:
     std::vector<Vec2> points_;
 };
 
+/// Returns the line through heights at the centres of their bins.
+TerrainProfile throughBins(const Heights& heights);
+
 /// Returns the true bin heights for a DEM origin (the IMU) at `imu` in the terrain's frame.
 Heights binHeights(const TerrainProfile& terrain, Vec2 imu);
 

@@ -21,18 +21,14 @@ namespace {
 constexpr int kColumns = SymmetricPanels::kPanelColumns;
 constexpr int kRows = 64;  // rows of covariances at a time: they stay in the cache
 
-std::size_t area(int a, int b)
-{
-    return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
-}
-
 /// Inputs and their signal covariance k(X, X), panel by panel.
 class SignalCovariance {
 public:
     SignalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper)
         : U_(static_cast<int>(X.rows())), d_(static_cast<int>(X.cols())),
-          signal2_(hyper.signalSd * hyper.signalSd), rows_(area(U_, d_)), perLength_(area(1, d_)),
-          columns_(area(d_, kColumns)), groups_(area(d_, kColumns))
+          signal2_(hyper.signalSd * hyper.signalSd), rows_(entriesOf(U_, d_)),
+          perLength_(entriesOf(1, d_)), columns_(entriesOf(d_, kColumns)),
+          groups_(entriesOf(d_, kColumns))
     {
         const ScaledRows scaled = inLengthScales(X, hyper);
         double* out = rows_.data();
@@ -80,7 +76,7 @@ private:
     // of the current panel: d × kColumns; d × kGroup by groups
     AlignedArray<double> columns_, groups_;
     AlignedArray<double> zeros_{kRows};
-    AlignedArray<double> block_{area(kRows, kGroup)}, unused_{kGroup};
+    AlignedArray<double> block_{entriesOf(kRows, kGroup)}, unused_{kGroup};
 };
 
 void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd,
@@ -115,8 +111,8 @@ Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& sign
                                 const Eigen::VectorXd& alpha, const Poll& poll)
 {
     const int d = signal.inputs();
-    AlignedArray<double> sums(area(d + 1, kGroup));
-    AlignedArray<double> block(area(kRows, kColumns));
+    AlignedArray<double> sums(entriesOf(d + 1, kGroup));
+    AlignedArray<double> block(entriesOf(kRows, kColumns));
     AlignedArray<double> alphaOfPanel(kColumns);
     for (int first = 0; first < K.size(); first += kColumns) {
         const int panel = first / kColumns;
@@ -129,7 +125,7 @@ Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& sign
                 callPoll(poll);
                 signal.rows(u, std::min(kRows, K.size() - u), block.data());
             }
-            double* S = block.data() + area(r, kColumns);
+            double* S = block.data() + entriesOf(r, kColumns);
             const int left = std::min(kColumns, u - first);  // entries left of the diagonal
             const int columns = kGroup * groupsOf(left);
             std::fill(S + left, S + columns, 0.0);

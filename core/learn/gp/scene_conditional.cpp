@@ -13,11 +13,6 @@ namespace terratact {
 
 namespace {
 
-std::size_t entries(Eigen::Index a, Eigen::Index b)
-{
-    return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
-}
-
 template <class T>
 void makeRoom(AlignedArray<T>& array, std::size_t size)
 {
@@ -27,14 +22,14 @@ void makeRoom(AlignedArray<T>& array, std::size_t size)
 /// Returns the number of entries of one block of covariances.
 std::size_t blockSize(Eigen::Index rows)
 {
-    return entries(paddedRows(static_cast<int>(rows)), kGroup);
+    return entriesOf(paddedRows(static_cast<int>(rows)), kGroup);
 }
 
 /// Clears the rows beyond U, which another process may have written.
 template <class T>
 void clearPadding(T* block, Eigen::Index rows)
 {
-    std::fill(block + entries(rows, kGroup), block + blockSize(rows), T{});
+    std::fill(block + entriesOf(rows, kGroup), block + blockSize(rows), T{});
 }
 
 template <class T>
@@ -163,7 +158,7 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, Pre
         const int lane = column % kGroup;
         count = std::min(kGroup - lane, n - c);
         copyInputs(inputs, c, count, room.z.data());
-        T* block = K.all.data() + entries(column / kGroup, 1) * blockSize(kept_);
+        T* block = K.all.data() + entriesOf(column / kGroup, 1) * blockSize(kept_);
         if (lane == 0) {
             clearPadding(block, kept_);
             compute(kernels_, in, room.z.data(), block, room.means.data() + column);
@@ -189,11 +184,11 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
     }
     const int groups = groupsOf(columns);
     auto& K = covariancesIn(room, T{});
-    makeRoom(K.all, entries(groups, 1) * blockSize(any.kept_));
+    makeRoom(K.all, entriesOf(groups, 1) * blockSize(any.kept_));
     makeRoom(K.block, blockSize(any.kept_));
     makeRoom(room.z, inputs * kGroup);
-    makeRoom(room.means, entries(groups, kGroup));
-    makeRoom(room.squares, entries(groups, kGroup));
+    makeRoom(room.means, entriesOf(groups, kGroup));
+    makeRoom(room.squares, entriesOf(groups, kGroup));
     int first = 0;
     for (const ScenePrediction& one : asked) {
         one.conditional->covariances<T>(*one.inputs, first, room, poll);

@@ -10,6 +10,12 @@
 
 namespace terratact {
 
+/// Returns the number of entries of a matrix.
+constexpr std::size_t entriesOf(std::ptrdiff_t rows, std::ptrdiff_t columns)
+{
+    return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+}
+
 /// Tag for an AlignedArray that is filled before it is read.
 struct Unset {};
 

@@ -10,15 +10,6 @@
 
 namespace terratact {
 
-namespace {
-
-std::size_t blockArea(Eigen::Index a, Eigen::Index b)
-{
-    return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
-}
-
-}  // namespace
-
 ScaledRows inLengthScales(Eigen::MatrixXd X, const Hyperparameters& hyper)
 {
     ScaledRows rows{std::move(X), hyper.lengthScale.cwiseInverse().transpose()};
@@ -39,9 +30,9 @@ Eigen::VectorXd covarianceColumn(const ScaledRows& rows, const Eigen::RowVectorX
 
 CovarianceBlock::CovarianceBlock(const ScaledRows& rows, double signal2)
     : d_(blasSize(rows.X.cols())), signal2_(signal2),
-      rows_(blockArea(rows.X.rows(), rows.X.cols())), perLength_(blockArea(rows.X.cols(), 1)),
-      zeros_(blockArea(rows.X.rows(), 1)), z_(blockArea(rows.X.cols(), kGroup)),
-      block_(blockArea(rows.X.rows(), kGroup)), unused_(kGroup)
+      rows_(entriesOf(rows.X.rows(), rows.X.cols())), perLength_(entriesOf(rows.X.cols(), 1)),
+      zeros_(entriesOf(rows.X.rows(), 1)), z_(entriesOf(rows.X.cols(), kGroup)),
+      block_(entriesOf(rows.X.rows(), kGroup)), unused_(kGroup)
 {
     double* out = rows_.data();
     for (Eigen::Index u = 0; u < rows.X.rows(); ++u)

@@ -5,11 +5,6 @@
 namespace terratact {
 namespace {
 
-double along(Vec2 a, Vec2 b)
-{
-    return a.x * b.x + a.z * b.z;
-}
-
 /// Adds a force at `position` on the edge, 0 … 1, to the nearest elements.
 void addForce(std::array<double, kForceElements>& force,
               const std::array<double, kForceElements>& elementShare, double position,
@@ -43,8 +38,8 @@ edgeForces(const FlipperEdge& edge, const std::array<double, kForceElements>& el
     const double length = edge.flipper.edgeLength();
     for (const GroundContact& c : contacts) {
         if (c.part != part) continue;
-        const double position = along({c.point.x - start.x, c.point.z - start.z}, axis) / length;
-        const double normal = share * std::max(0.0, along(c.force, up));
+        const double position = dot({c.point.x - start.x, c.point.z - start.z}, axis) / length;
+        const double normal = share * std::max(0.0, dot(c.force, up));
         if (position >= 0.0) addForce(force, elementShare, position, normal);
     }
     return force;

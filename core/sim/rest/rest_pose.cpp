@@ -20,11 +20,6 @@ enum Freedom { kZ, kPitch, kFront, kRear, kFreedoms };
 using Gradient = Eigen::Vector4d;
 using Hessian = Eigen::Matrix4d;
 
-double dot(Vec2 a, Vec2 b)
-{
-    return a.x * b.x + a.z * b.z;
-}
-
 /// Returns the velocity of a point per unit rate of a rotation x → z about `centre`.
 Vec2 spin(Vec2 point, Vec2 centre)
 {

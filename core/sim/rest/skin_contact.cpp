@@ -8,11 +8,6 @@ namespace terratact {
 
 namespace {
 
-double dotProduct(Vec2 a, Vec2 b)
-{
-    return a.x * b.x + a.z * b.z;
-}
-
 Vec2 minus(Vec2 a, Vec2 b)
 {
     return {a.x - b.x, a.z - b.z};
@@ -21,7 +16,7 @@ Vec2 minus(Vec2 a, Vec2 b)
 bool inCircle(Vec2 centre, double radius, Vec2 q, Penetration& found)
 {
     const Vec2 r = minus(q, centre);
-    const double length2 = dotProduct(r, r);
+    const double length2 = dot(r, r);
     if (length2 >= radius * radius) return false;
     found.toCentre = std::sqrt(length2);
     found.depth = radius - found.toCentre;
@@ -51,7 +46,7 @@ bool SkinHull::penetration(Vec2 p, Penetration& found) const
         return hull_.ra >= hull_.rb ? inCircle(hull_.a, hull_.ra, p, found)
                                     : inCircle(hull_.b, hull_.rb, p, found);
     const Vec2 r = minus(p, hull_.a);
-    const double along = dotProduct(r, axis_);
+    const double along = dot(r, axis_);
     const double across = r.z * axis_.x - r.x * axis_.z;
     const double onSide = cosine_ * along - sine_ * std::abs(across);
     if (onSide < 0.0) return inCircle(hull_.a, hull_.ra, p, found);
@@ -83,7 +78,7 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
         const double length = std::hypot(e.x, e.z);
         if (length == 0.0) continue;
         Vec2 normal{e.z / length, -e.x / length};
-        if (dotProduct(normal, minus(centre, polygon[i])) > 0.0) normal = {-normal.x, -normal.z};
+        if (dot(normal, minus(centre, polygon[i])) > 0.0) normal = {-normal.x, -normal.z};
         edges_.push_back({polygon[i], normal});
     }
 }
@@ -94,7 +89,7 @@ bool SkinPolygon::penetration(Vec2 p, Penetration& found) const
     found.depth = std::numeric_limits<double>::infinity();
     found.toCentre = 0.0;
     for (const Edge& edge : edges_) {
-        const double depth = skin_ - dotProduct(edge.normal, minus(p, edge.corner));
+        const double depth = skin_ - dot(edge.normal, minus(p, edge.corner));
         if (depth >= found.depth) continue;
         found.normal = edge.normal;
         found.depth = depth;
