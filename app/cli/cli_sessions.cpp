@@ -167,11 +167,8 @@ void addSessionWhatIf(CLI::App& session, Job& job)
                                                 "with other settings");
     const auto o = std::make_shared<WhatIfOptions>();
     addInput(*c, "files", o->files, "Sessions (*.tts), or folders of them")->required();
-    auto* one = c->add_option("--estimate", o->rerun.estimate, "This one alone, by its number")
-                    ->check(CLI::Range(1, 1'000'000'000));
-    c->add_flag_callback(
-         "--all", [] {}, "All estimates, which is so without it")
-        ->excludes(one);
+    c->add_option("--estimate", o->rerun.estimate, "This one alone, by its number")
+        ->check(CLI::Range(1, 1'000'000'000));
     addTrailMethod(*c, "--method", o->rerun.changes.method, "Another method");
     addChoice(*c, "--quality", o->rerun.changes.preset, qualityPresetFromName,
               "fast|balanced|accurate",

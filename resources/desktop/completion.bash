@@ -56,7 +56,7 @@ _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | simulate:--floor-poses | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | hazards:--memory | hazards:--manoeuvres | *:--blind | "session scenes":--tracks | "session scenes":--drives | *:--probes | *:--missing | *:--lamps | *:--watch | \
-      *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | "session report":--mission | \
+      *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--card | "session report":--mission | \
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
@@ -153,7 +153,7 @@ _terratact_options() {
     "session strip") echo --out --section ;;
     "session report") echo --scene --mission --dbc --out ;;
     "session merge") echo --out ;;
-    "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
+    "session what-if") echo --estimate --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;
     import) echo --mapping --robot --out --scenes --probe --check ;;
     truth) echo --scenes --poses --mapping --topic --robot --scans --session --start --run --out --support --sheet --review --decisions --pose-mount \
