@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "app/cli/can_commands.h"
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
 #include "app/cli/commands.h"

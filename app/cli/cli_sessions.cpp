@@ -5,6 +5,7 @@
 #include "app/cli/cli_subcommands.h"
 #include "app/cli/session/session_commands.h"
 #include "app/link/log_help.h"
+#include "app/runtime/resources.h"
 #include "core/base/text.h"
 
 namespace terratact {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "app/cli/can_commands.h"
+#include "app/cli/commands.h"
 #include "app/link/can_check.h"
 #include "app/runtime/print_text.h"
 #include "core/store/file_read.h"

@@ -2,9 +2,10 @@
 #include <fmt/os.h>
 
 #include <map>
+#include <memory>
 #include <utility>
 
-#include "app/cli/can_commands.h"
+#include "app/cli/commands.h"
 #include "app/link/bus_statistics.h"
 #include "app/link/dbc_book.h"
 #include "app/runtime/print_text.h"

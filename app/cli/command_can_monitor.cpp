@@ -6,12 +6,14 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
-#include "app/cli/can_commands.h"
+#include "app/cli/commands.h"
 #include "app/link/can_monitor.h"
 #include "app/link/dbc_book.h"
 #include "app/link/open_bus.h"
 #include "app/runtime/print_text.h"
+#include "drivers/can_bus.h"
 
 namespace terratact {
 namespace {
