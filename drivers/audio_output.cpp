@@ -20,8 +20,8 @@ struct Close {
 using Pcm = std::unique_ptr<snd_pcm_t, Close>;
 
 // ALSA would print its messages on the terminal.
-void sayNothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
-                const char* /*format*/, ...)
+void ignoreAlsaError(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
+                     const char* /*format*/, ...)
 {
 }
 
@@ -35,7 +35,7 @@ Status playAudio(const std::string& device, std::span<const std::int16_t> sample
                                  snd_strerror(static_cast<int>(error))),
                      code};
     };
-    snd_lib_error_set_handler(sayNothing);
+    snd_lib_error_set_handler(ignoreAlsaError);
     snd_pcm_t* opened = nullptr;
     // Non-blocking, because another program may hold the device.
     if (const int error =

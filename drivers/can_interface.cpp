@@ -82,7 +82,7 @@ bool mayForceBuffers(const fs::path& status)
 
 }  // namespace
 
-CanInterfaceFacts lookAtInterface(const std::string& name, const std::string& root)
+CanInterfaceFacts inspectInterface(const std::string& name, const std::string& root)
 {
     const fs::path net = root + "/sys/class/net";
     CanInterfaceFacts facts{.name = name, .sendQueue = {}, .receiveLimit = {}, .others = {}};

@@ -22,7 +22,7 @@ struct CanInterfaceFacts {
 
 /// Reads /sys/class/net and /proc below `root`. Facts that cannot be read are absent, false or
 /// empty. The name may be any text: one that cannot be an interface is not present.
-CanInterfaceFacts lookAtInterface(const std::string& name, const std::string& root = "");
+CanInterfaceFacts inspectInterface(const std::string& name, const std::string& root = "");
 
 /// Returns 0, or the errno that prevents this process from opening a CAN socket.
 int canSocketError();

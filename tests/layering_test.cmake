@@ -15,7 +15,7 @@
 #   widgets, app  every label is a PlainLabel, every tip is set by widgets/base/tips.h, no other rich text widget or
 #   document
 # Text from a file cannot move a terminal's cursor:
-#   all but tests  print with say() (app/runtime/print_text.h) only
+#   all but tests  print with printText() (app/runtime/print_text.h) only
 # The same seed gives the same draws with every compiler and standard library (docs/extremes.md):
 #   core/{infer,learn}  no distribution or shuffle of the standard library, whose algorithms differ
 #   build files         no option that lets a compiler reorder sums or ignore NaN
@@ -167,7 +167,7 @@ foreach(file IN LISTS files)
     refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/base/plain_label.h and widgets/base/tips.h")
   endif()
   if(file MATCHES "^(core|drivers|widgets|app)/" AND NOT file STREQUAL "app/runtime/print_text.h")
-    refuse("${printing}" "prints with" ": a text of a file may hold escapes, and say() (app/runtime/print_text.h) prints none")
+    refuse("${printing}" "prints with" ": a text of a file may hold escapes, and printText() (app/runtime/print_text.h) prints none")
   endif()
   if(file MATCHES "^(widgets|app)/")
     refuse("${blocking}" "shows" ": a modal window stands between the operator and STOP")

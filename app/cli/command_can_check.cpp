@@ -74,7 +74,7 @@ Status checkCan(const std::string& interface)
     if (interface == "-" || std::filesystem::is_regular_file(interface, ignored))
         return checkLog(interface);
     if (Status name = checkInterfaceName(interface); !name) return name;
-    const CanInterfaceFacts facts = lookAtInterface(interface);
+    const CanInterfaceFacts facts = inspectInterface(interface);
     const CanController controller =
         facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};
     const std::vector<CanFinding> findings = findingsOf(facts, canSocketError(), controller);

@@ -78,7 +78,7 @@ int afterPrinting(int code)
 int runCommandLine(int argc, char** argv)
 {
     holdStandardStreams();
-    sayWhyOnTerminate("terratact");
+    printFailureOnTerminate("terratact");
     try {
         return afterPrinting(realMain(argc, argv));
     } catch (const std::exception& error) {

@@ -19,7 +19,7 @@ namespace terratact {
 
 namespace {
 
-void tellContradictions(const std::string& out, std::size_t count)
+void printContradictions(const std::string& out, std::size_t count)
 {
     if (count == 0) return;
     printText(messagesBeside(out),
@@ -52,7 +52,7 @@ Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundl
         messagesBeside(options.out),
         "{} scenes of two tracks written to {}; {} not estimated, {} estimated as one plane\n",
         file->scenes.size(), options.out, none, planes);
-    tellContradictions(options.out, contradicting);
+    printContradictions(options.out, contradicting);
     return Done{};
 }
 
@@ -83,7 +83,7 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (Status written = writeText(options.out, csv); !written) return written;
     printText(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
               file->scenes.size(), options.out, noted);
-    tellContradictions(options.out, contradicting);
+    printContradictions(options.out, contradicting);
     return Done{};
 }
 

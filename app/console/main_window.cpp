@@ -47,8 +47,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLook = 10ms;     // polling period
-constexpr double kToRead = 0.7;  // [s] an earlier request is a double click or key repeat
+constexpr auto kPollPeriod = 10ms;  // polling period
+constexpr double kToRead = 0.7;     // [s] an earlier request is a double click or key repeat
 
 }  // namespace
 
@@ -58,12 +58,13 @@ MainWindow::MainWindow(Options options)
       presets_(std::move(options.presets)), robot_(std::move(options.robot)),
       source_(std::move(options.source)), link_(options.link),
       acquisition_(std::make_unique<Acquisition>(
-          *source_, [this] { lookSoon(); }, robot_)),
+          *source_, [this] { pollSoon(); }, robot_)),
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
       alarms_(std::make_unique<ConsoleAlarms>(std::move(options.alarmSound))),
-      recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
+      recorder_(std::move(options.recorder)),
+      meter_(std::chrono::duration<double>(kPollPeriod).count()),
       inputClock_(std::move(options.inputClock)), robotDetails_(std::move(options.robotDetails))
 {
     if (options.panel)
@@ -89,13 +90,13 @@ MainWindow::MainWindow(Options options)
     addHistory();
     defineKeys();
     for (const Message& trouble : preferences_->troubles()) log(trouble, EventSeverity::Warning);
-    look_.setInterval(kLook);
-    connect(&look_, &QTimer::timeout, this, [this] {
+    pollTimer_.setInterval(kPollPeriod);
+    connect(&pollTimer_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
         poll();
     });
     setFocus();
-    look_.start();
+    pollTimer_.start();
     worker_->start();
     poll();
 }
@@ -332,14 +333,14 @@ void MainWindow::connectStop()
     connect(sharedStop_.get(), &SharedStop::received, this, [this](const Message& text) {
         events()->log(translated(text), EventSeverity::Note, QTime::currentTime());
     });
-    connect(sharedStop_.get(), &SharedStop::said, this,
+    connect(sharedStop_.get(), &SharedStop::reported, this,
             [this](const Message& text) { notice_->show(translated(text), steadyNow()); });
     sharedStop_->listen();
 }
 
 void MainWindow::restartMeter()
 {
-    meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
+    meter_ = LoopMeter(std::chrono::duration<double>(kPollPeriod).count());
 }
 
 void MainWindow::mark()

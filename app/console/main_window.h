@@ -165,7 +165,7 @@ private:
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     /// Shows what is new: main_window_tick.cpp. An estimate goes to TerrainPage::showEstimate().
     void poll();
-    void lookSoon();  ///< from any thread
+    void pollSoon();  ///< from any thread
     void logStall(double seconds);
     void redraw();
     void showTerrain();
@@ -211,9 +211,9 @@ private:
     PresetTable presets_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
-    CanSource* link_;                      ///< null if the source has no bus
-    bool lookWaits_ = false;               ///< showLook() waits until the robot stands
-    std::atomic<bool> lookComes_ = false;  ///< a poll() requested by lookSoon() is pending
+    CanSource* link_;                        ///< null if the source has no bus
+    bool lookWaits_ = false;                 ///< showLook() waits until the robot stands
+    std::atomic<bool> pollPending_ = false;  ///< a poll() requested by pollSoon() is pending
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
@@ -238,7 +238,7 @@ private:
     double prepared_ = 0.0;    ///< [s] preparation time of the frame to be painted
     double newestIn_ = -1.0;   ///< [s] arrival of the new telemetry in that frame
     std::uint64_t drawn_ = 0;  ///< Received::count of the last drawn sample
-    QTimer look_;
+    QTimer pollTimer_;
     RobotMoment moment_;  ///< of the last tick: everything is drawn from it
     StallWatch stalls_;   ///< stalls of poll()
     std::function<double()> inputClock_;

@@ -27,15 +27,15 @@ constexpr double kNumbers = 0.2;       // [s] update period of numbers, slow eno
 
 }  // namespace
 
-void MainWindow::lookSoon()
+void MainWindow::pollSoon()
 {
-    if (!lookComes_.exchange(true))
+    if (!pollPending_.exchange(true))
         QMetaObject::invokeMethod(this, &MainWindow::poll, Qt::QueuedConnection);
 }
 
 void MainWindow::poll()
 {
-    lookComes_ = false;
+    pollPending_ = false;
     const double now = steadyNow();
     const double input = inputClock_();
     const auto frozen = stalls_.poll(input);

@@ -27,7 +27,7 @@ namespace terratact {
 namespace {
 
 constexpr int kWide = 720, kHigh = 560;  // [px] at 100 %
-constexpr int kLookEvery = 250;          // [ms] whether the robot is armed or moves
+constexpr int kCheckPeriod = 250;        // [ms] whether the robot is armed or moves
 
 QPushButton* pressable(const QString& text, QWidget* parent)
 {
@@ -66,11 +66,11 @@ SettingsFilesWindow::SettingsFilesWindow(PreferenceStore& store, Options options
     // What was written or applied is no longer what is in force.
     connect(&store_, &PreferenceStore::changed, this, [this] { report({}, false); });
     connect(&store_, &PreferenceStore::changed, this, &SettingsFilesWindow::showChanges);
-    auto* look = new QTimer(this);
-    connect(look, &QTimer::timeout, this, [this] {
+    auto* timer = new QTimer(this);
+    connect(timer, &QTimer::timeout, this, [this] {
         if (isVisible()) showButtons();
     });
-    look->start(kLookEvery);
+    timer->start(kCheckPeriod);
     resize(scaled(kWide), scaled(kHigh));
 }
 

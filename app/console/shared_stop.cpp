@@ -7,8 +7,8 @@ namespace terratact {
 SharedStop::SharedStop(Exploration& exploration, QObject* parent)
     : QObject(parent), exploration_(exploration)
 {
-    connect(&remote_, &RemoteStop::said, this, &SharedStop::happened);
-    connect(&remote_, &RemoteStop::said, this, &SharedStop::said);
+    connect(&remote_, &RemoteStop::reported, this, &SharedStop::happened);
+    connect(&remote_, &RemoteStop::reported, this, &SharedStop::reported);
     connect(&exploration, &Exploration::stoppedNothing, this, &SharedStop::stoppedNothing);
 }
 
@@ -46,7 +46,7 @@ void SharedStop::stoppedNothing(const Message& why)
     if (remote_.exists()) return remote_.press();
     emit happened(Message(TR_NOOP("terratact::SharedStop", "STOP has no effect: %1"), why),
                   EventSeverity::Bad);
-    emit said(Message(TR_NOOP("terratact::SharedStop", "STOP HAS NO EFFECT HERE: %1"), why));
+    emit reported(Message(TR_NOOP("terratact::SharedStop", "STOP HAS NO EFFECT HERE: %1"), why));
 }
 
 }  // namespace terratact

@@ -32,7 +32,7 @@ signals:
     void happened(const terratact::Message& text, terratact::EventSeverity severity);
     /// STOP was pressed elsewhere; Exploration::decided() records it, too.
     void received(const terratact::Message& text);
-    void said(const terratact::Message& text);  ///< important text for a banner
+    void reported(const terratact::Message& text);  ///< important text for a banner
 
 private:
     void stoppedNothing(const Message& why);

@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// Runs the robot on the bus while goOn() returns true. `say` receives state changes as text; `measured` is called
+/// Runs the robot on the bus while goOn() returns true. `print` receives state changes as text; `measured` is called
 /// before each telemetry line is sent. clock: the robot's monotonic clock [s].
 Status serveRobot(
     CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,

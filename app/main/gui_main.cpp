@@ -80,7 +80,7 @@ int run(int& argc, char** argv)
 int main(int argc, char** argv)
 {
     terratact::holdStandardStreams();
-    terratact::sayWhyOnTerminate("terratact-console");
+    terratact::printFailureOnTerminate("terratact-console");
     terratact::giveBackBigBlocks();
     openblas_set_num_threads(1);  // the estimator has its own threads
     try {

@@ -104,8 +104,8 @@ void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
 {
     now_ = now;
     if (!began_) began_ = now;
-    lookAtLink(viewState);
-    if (viewState.bus) lookAtBus(*viewState.bus, viewState);
+    checkLink(viewState);
+    if (viewState.bus) checkBus(*viewState.bus, viewState);
     judge("model", !viewState.noModel.empty(),
           Message(TR_NOOP("terratact::ConsoleAlarms", "No model, so nothing can be estimated: %1"),
                   viewState.noModel),
@@ -118,9 +118,9 @@ void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
     judge("recording", !viewState.notRecorded.empty(),
           Message(TR_NOOP("terratact::ConsoleAlarms", "Not recorded: %1"), viewState.notRecorded),
           Severity::Caution);
-    lookAtSuspicions(viewState);
-    lookAtAttitude(viewState);
-    lookAtHalt(viewState);
+    checkSuspicions(viewState);
+    checkAttitude(viewState);
+    checkHalt(viewState);
     judge(
         "stop", viewState.isStopped,
         TR_NOOP("terratact::ConsoleAlarms", "The robot is stopped and moves only after a release"),
@@ -134,7 +134,7 @@ void ConsoleAlarms::trySound()
     emit sounded();
 }
 
-void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
+void ConsoleAlarms::checkLink(const AlarmViewState& viewState)
 {
     const LinkAccount& link = viewState.link;
     const bool came = link.standing != LinkStanding::Silent;
@@ -153,7 +153,7 @@ void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
           Severity::Critical);
 }
 
-void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewState)
+void ConsoleAlarms::checkBus(const CanView& bus, const AlarmViewState& viewState)
 {
     judge("bus", toneOf(bus.bus) != Tone::Plain, describe(bus.bus, bus.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
@@ -172,13 +172,13 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewStat
                           "Damaged frames: %1 with a wrong checksum since the start"),
                   viewState.wrongChecksums),
           Severity::Caution);
-    lookAtSensors(bus.forces);
-    lookAtArming(bus.link.arming);
+    checkSensors(bus.forces);
+    checkArming(bus.link.arming);
 }
 
 /// An unwanted disarming stays an alarm until the operator arms again. Otherwise the stop would pass for one that the
 /// operator requested.
-void ConsoleAlarms::lookAtArming(const ArmingState& arming)
+void ConsoleAlarms::checkArming(const ArmingState& arming)
 {
     const bool isArmed = arming.phase == ArmingPhase::Armed;
     const bool hasEnded = std::exchange(wasArmed_, isArmed) && !isArmed;
@@ -192,7 +192,7 @@ void ConsoleAlarms::lookAtArming(const ArmingState& arming)
           Severity::Critical);
 }
 
-void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
+void ConsoleAlarms::checkSensors(const ElementForces& forces)
 {
     const auto unsound = unsoundElements(forces);
     judge("sensors", unsound.has_value(),
@@ -202,7 +202,7 @@ void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
 }
 
 /// A suspicion stays an alarm while it withholds a verdict, and then names what was suspected.
-void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
+void ConsoleAlarms::checkSuspicions(const AlarmViewState& viewState)
 {
     if (!viewState.suspicions.empty()) suspected_ = suspicionMessage(viewState.suspicions);
     const bool stands = !viewState.suspicions.empty() || viewState.isSceneSuspected;
@@ -211,7 +211,7 @@ void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
           Severity::Critical);
 }
 
-void ConsoleAlarms::lookAtAttitude(const AlarmViewState& viewState)
+void ConsoleAlarms::checkAttitude(const AlarmViewState& viewState)
 {
     const Attitude& attitude = viewState.attitude;
     const bool stands = viewState.measurement && attitude.worst() != AttitudeLevel::Level;
@@ -221,7 +221,7 @@ void ConsoleAlarms::lookAtAttitude(const AlarmViewState& viewState)
 }
 
 /// A robot that halts with a refusal halted itself; the alarm gives its reason until the next drive or press.
-void ConsoleAlarms::lookAtHalt(const AlarmViewState& viewState)
+void ConsoleAlarms::checkHalt(const AlarmViewState& viewState)
 {
     if (viewState.measurement) {
         const Measurement& m = *viewState.measurement;

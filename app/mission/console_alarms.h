@@ -76,13 +76,13 @@ private:
     /// after: time [s] a cause must persist before it becomes an alarm.
     void judge(const std::string& id, bool stands, const Message& text, Severity severity,
                double after = 0.0);
-    void lookAtLink(const AlarmViewState& viewState);
-    void lookAtBus(const CanView& bus, const AlarmViewState& viewState);
-    void lookAtArming(const ArmingState& arming);
-    void lookAtSensors(const ElementForces& forces);
-    void lookAtSuspicions(const AlarmViewState& viewState);
-    void lookAtAttitude(const AlarmViewState& viewState);
-    void lookAtHalt(const AlarmViewState& viewState);
+    void checkLink(const AlarmViewState& viewState);
+    void checkBus(const CanView& bus, const AlarmViewState& viewState);
+    void checkArming(const ArmingState& arming);
+    void checkSensors(const ElementForces& forces);
+    void checkSuspicions(const AlarmViewState& viewState);
+    void checkAttitude(const AlarmViewState& viewState);
+    void checkHalt(const AlarmViewState& viewState);
 
     std::unique_ptr<AlarmSound> alarmSound_;
     AlarmList list_;

@@ -173,7 +173,7 @@ void SessionEventLogger::noteSnapshot(const QString& name, const QString& note)
 void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanView>& bus,
                               const AlarmList& alarms, const std::optional<PanelState>& panel)
 {
-    lookAtLink(link, bus);
+    logLink(link, bus);
     if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
         log(EventKind::Arming, std::string(name(*arming_)),
             *arming_ == ArmingPhase::Disarmed ? named(bus->link.arming.cause) : Message());
@@ -184,11 +184,11 @@ void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanVi
     const Message overridden = Message::listed(exploration_.overridden(), "; ");
     if (std::exchange(overridden_, overridden) != overridden)
         log(EventKind::Override, {}, overridden);
-    lookAtAlarms(alarms);
-    if (panel) lookAtPanel(*panel);
+    logAlarms(alarms);
+    if (panel) logPanel(*panel);
 }
 
-void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus)
+void SessionEventLogger::logLink(const LinkAccount& link, const std::optional<CanView>& bus)
 {
     link_ = link;
     if (link.standing == LinkStanding::Silent) return;
@@ -205,7 +205,7 @@ void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional
         link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
 }
 
-void SessionEventLogger::lookAtAlarms(const AlarmList& alarms)
+void SessionEventLogger::logAlarms(const AlarmList& alarms)
 {
     std::map<std::string, AlarmState> now;
     for (const Alarm& alarm : alarms.alarms()) {
@@ -219,7 +219,7 @@ void SessionEventLogger::lookAtAlarms(const AlarmList& alarms)
     alarms_ = std::move(now);
 }
 
-void SessionEventLogger::lookAtPanel(const PanelState& panel)
+void SessionEventLogger::logPanel(const PanelState& panel)
 {
     PerContact<bool> closed;
     for (const PanelContact contact : kAllPanelContacts)

@@ -49,9 +49,9 @@ private:
     void logProposal();
     void log(EventKind kind, const std::string& subject, const Message& text = {},
              std::optional<double> number = std::nullopt);
-    void lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus);
-    void lookAtAlarms(const AlarmList& alarms);
-    void lookAtPanel(const PanelState& panel);
+    void logLink(const LinkAccount& link, const std::optional<CanView>& bus);
+    void logAlarms(const AlarmList& alarms);
+    void logPanel(const PanelState& panel);
 
     std::shared_ptr<SessionRecorder> recorder_;
     Exploration& exploration_;

@@ -50,13 +50,12 @@ std::string linesOf(const Rerun& r, const RecordedSide& side)
     const TerrainEstimate& b = r.again.side.at(side.index);
     std::string text;
     for (std::size_t i = 0; i < kBins; ++i)
-        text +=
-            csvLine({r.session->path(), r.row.id, r.row.scene, secondsOf(r.row.time),
-                     name(b.settings.method), signedTenth(binCentre(static_cast<int>(i))),
-                     a.height[i], b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i],
-                     b.q90[i], side.truth ? numberText(side.truth->at(i)) : "",
-                     r.differences.likeness == Match::Identical, name(r.differences.before.both),
-                     name(r.differences.after.both), side.name});
+        text += csvLine({r.session->path(), r.row.id, r.row.scene, secondsOf(r.row.time),
+                         name(b.settings.method), signedTenth(binCentre(static_cast<int>(i))),
+                         a.height[i], b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i],
+                         b.q90[i], side.truth ? numberText(side.truth->at(i)) : "",
+                         r.differences.match == Match::Identical, name(r.differences.before.both),
+                         name(r.differences.after.both), side.name});
     return text;
 }
 

@@ -42,7 +42,7 @@ struct Rerun {
     /// Returns true if the recomputation should equal the recording, and does not.
     bool failed() const
     {
-        return asRecorded && differences.likeness == Match::Other && !endedByTime();
+        return asRecorded && differences.match == Match::Other && !endedByTime();
     }
 };
 

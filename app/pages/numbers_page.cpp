@@ -38,8 +38,8 @@ QStringList textsOf(const TwoTrackVerdict& verdict, double limit)
 
 }  // namespace
 
-NumbersPage::NumbersPage(std::function<NumbersViewState()> look, QWidget* parent)
-    : Page(parent), look_(std::move(look))
+NumbersPage::NumbersPage(std::function<NumbersViewState()> read, QWidget* parent)
+    : Page(parent), read_(std::move(read))
 {
     auto* card = new Card(tr("The scene as numbers"), this);
     copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
@@ -63,7 +63,7 @@ NumbersPage::NumbersPage(std::function<NumbersViewState()> look, QWidget* parent
     column->addWidget(card);
     connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
     verdict_->hide();
-    summary_->setText(look_().whyNoEstimate);
+    summary_->setText(read_().whyNoEstimate);
 }
 
 void NumbersPage::addKeys(KeyTable& keys)
@@ -92,7 +92,7 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
 
 void NumbersPage::refresh(double /*now*/)
 {
-    const NumbersViewState viewState = look_();
+    const NumbersViewState viewState = read_();
     showVerdict(viewState);
     if (!viewState.estimate) {
         if (shown_) table_->clearEstimate();

@@ -30,8 +30,8 @@ struct NumbersViewState {
 class NumbersPage final : public Page {
     Q_OBJECT
 public:
-    /// look: returns the content to show.
-    explicit NumbersPage(std::function<NumbersViewState()> look, QWidget* parent = nullptr);
+    /// read: returns the content to show.
+    explicit NumbersPage(std::function<NumbersViewState()> read, QWidget* parent = nullptr);
     void refresh(double now) override;
     /// Adds Ctrl+C, which copies the table while the page is visible, whichever widget has the focus.
     void addKeys(KeyTable& keys);
@@ -40,7 +40,7 @@ public:
     QPushButton* copyButton() const { return copy_; }
 
 private:
-    std::function<NumbersViewState()> look_;
+    std::function<NumbersViewState()> read_;
     QLabel* verdict_ = nullptr;
     QLabel* summary_ = nullptr;
     NumbersTable* table_ = nullptr;

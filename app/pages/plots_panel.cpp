@@ -380,7 +380,7 @@ void PlotsPanel::refresh(double now, bool force)
 void PlotsPanel::setTime(double seconds)
 {
     state_.setCursor(seconds);
-    state_.keepInSight(seconds);
+    state_.keepInView(seconds);
     if (isVisible()) showNow();
 }
 

@@ -124,11 +124,11 @@ void PlotsState::move(double seconds)
     show(from_ + seconds, to_ + seconds);
 }
 
-void PlotsState::keepInSight(double seconds)
+void PlotsState::keepInView(double seconds)
 {
-    const bool wasInSight = seen_ >= from_ && seen_ <= to_;
+    const bool wasInView = seen_ >= from_ && seen_ <= to_;
     seen_ = seconds;
-    if (!wasInSight || (seconds >= from_ && seconds <= to_)) return;
+    if (!wasInView || (seconds >= from_ && seconds <= to_)) return;
     const double span = to_ - from_;
     const double from = seconds > to_ ? seconds - 0.1 * span : seconds - 0.9 * span;
     show(from, from + span);

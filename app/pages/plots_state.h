@@ -49,7 +49,7 @@ public:
     std::optional<double> cursor() const { return cursor_; }
     void setCursor(std::optional<double> seconds) { cursor_ = seconds; }
     /// Moves the span so that `seconds` stays in sight if it was.
-    void keepInSight(double seconds);
+    void keepInView(double seconds);
     const std::optional<std::pair<double, double>>& values(std::size_t row) const
     {
         return values_.at(row);
@@ -67,7 +67,7 @@ private:
     double from_ = 0.0, to_ = 30.0;
     bool follows_ = false;
     std::optional<double> cursor_;
-    double seen_ = 0.0;  // [s] last time of keepInSight()
+    double seen_ = 0.0;  // [s] last time of keepInView()
 };
 
 }  // namespace terratact

@@ -165,7 +165,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
     atem_->setState(viewState.state, viewState.time, viewState.stateWords);
-    atem_->setResultStands(viewState.estimate || !viewState.remembered.isEmpty());
+    atem_->setHasResult(viewState.estimate || !viewState.remembered.isEmpty());
     showProbeToAsk(viewState);
     atem_->setPreconditions(viewState.preconditions);
     atem_->setNeeds(Commanded::Drive, viewState.driving);

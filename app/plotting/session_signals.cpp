@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr auto kLookForGrowth = std::chrono::milliseconds(500);
+constexpr auto kGrowthPeriod = std::chrono::milliseconds(500);
 constexpr double kLeastSpan = 1.0;  // [s]
 
 bool isEstimateKey(const std::string& key)
@@ -284,7 +284,7 @@ void SessionSignals::run(const std::stop_token& stop)
         if (work.sealed())
             wake_.wait(lock, stop, hasWork);
         else
-            wake_.wait_for(lock, stop, kLookForGrowth, hasWork);
+            wake_.wait_for(lock, stop, kGrowthPeriod, hasWork);
         const bool ordered = hasWork();
         if (ordered) isIdle_ = false;
         lock.unlock();

@@ -8,7 +8,7 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kPublishEvery = 200;  // batches between two updates of found()
-constexpr auto kLookForMore = std::chrono::milliseconds(500);
+constexpr auto kIndexPeriod = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void SessionIndexer::run(const std::stop_token& stop)
         if (taken > 0 || found().share < 1.0) publish(survey, *reader);
         if (reader->sealed()) return;
         std::unique_lock lock(idle);
-        wake.wait_for(lock, stop, kLookForMore, [] { return false; });
+        wake.wait_for(lock, stop, kIndexPeriod, [] { return false; });
         if (const auto more = reader->refresh(); !more) {
             const std::scoped_lock locked(mutex_);
             found_.trouble = more.error().text;

@@ -73,7 +73,7 @@ bool alike(const TwoTrackEstimate& a, const TwoTrackEstimate& b, Same same)
         && alike(a.side[1], b.side[1], same);
 }
 
-Match likenessOf(const TwoTrackEstimate& a, const TwoTrackEstimate& b)
+Match matchOf(const TwoTrackEstimate& a, const TwoTrackEstimate& b)
 {
     if (alike(a, b, Alike<sameBits>{})) return Match::Identical;
     return alike(a, b, Alike<nearly>{}) ? Match::LastBits : Match::Other;
@@ -173,8 +173,8 @@ Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEst
     Differences result{.onePlane = before.onePlane && after.onePlane,
                        .before = verdictOf(before, robot, scene, {}, stepLimit),
                        .after = verdictOf(after, robot, scene, {}, stepLimit),
-                       .likeness = likenessOf(before, after)};
-    if (!answerAlike(result, before, after)) result.likeness = Match::Other;
+                       .match = matchOf(before, after)};
+    if (!answerAlike(result, before, after)) result.match = Match::Other;
     for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &was = before.side.at(k), &is = after.side.at(k);

@@ -50,7 +50,7 @@ struct BinDifference {
 /// another order of summation in a later version, cause such differences.
 inline constexpr double kLastBits = 1e-6;
 
-/// Likeness of two estimates. Settings count by the verdict alone. A touch that one of the two did not record, as in
+/// Match of two estimates. Settings count by the verdict alone. A touch that one of the two did not record, as in
 /// the oldest sessions, does not count, and neither does the verdict then.
 enum class Match {
     /// Every number of both sides, draws included, is bit-identical. Touch, missing sensors, texts, the posterior check
@@ -67,7 +67,7 @@ struct Differences {
     std::size_t largestSide = 0;  ///< side and bin with the largest change of height
     int largestBin = 0;
     TwoTrackVerdict before, after;  ///< without telemetry gaps
-    Match likeness = Match::Other;
+    Match match = Match::Other;
     double largest() const;  ///< [m] |height change| of largestSide and largestBin
 };
 

@@ -41,9 +41,9 @@ void ReviewDisplay::show(const ReviewMoment& moment)
 
 void ReviewDisplay::showLink(const ReviewMoment& moment)
 {
-    const bool heard = moment.measurement.has_value();
-    const double age = secondsOf(moment.time - (heard ? moment.measured : moment.linkSince));
-    if (moment.linkAlive && heard)
+    const bool isMeasured = moment.measurement.has_value();
+    const double age = secondsOf(moment.time - (isMeasured ? moment.measured : moment.linkSince));
+    if (moment.linkAlive && isMeasured)
         places_.header.setLink(tr("link %1 Hz").arg(format::number(moment.linesPerSecond, 0)),
                                Tone::Good);
     else if (!moment.linkAlive && moment.linkSince > 0)

@@ -47,7 +47,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLook = 50;            // [ms]
+constexpr int kPollPeriod = 50;      // [ms]
 constexpr double kRefresh = 0.5;     // [s] polling period of a growing file
 constexpr double kStillGrows = 3.0;  // [s] without growth until the session counts as finished
 
@@ -77,7 +77,7 @@ ReviewWindow::ReviewWindow(Options options)
     player_->timeline()->showAll();
     showMoment();
     sinceLook_.start();
-    look_.start(kLook);
+    pollTimer_.start(kPollPeriod);
     setFocus();
 }
 
@@ -186,7 +186,7 @@ void ReviewWindow::connectAll()
     // The time while playback was paused does not count.
     connect(player_, &ReviewPlayerBar::started, this, [this] { sinceLook_.restart(); });
     connect(preferences_.get(), &PreferenceStore::changed, this, &ReviewWindow::applyPreferences);
-    connect(&look_, &QTimer::timeout, this,
+    connect(&pollTimer_, &QTimer::timeout, this,
             [this] { poll(static_cast<double>(sinceLook_.restart()) * 1e-3); });
 }
 

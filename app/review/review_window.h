@@ -112,7 +112,7 @@ private:
     double sinceRefresh_ = 0.0, sinceGrowth_ = 0.0;  ///< [s]
     QString trouble_;                                ///< last error of notes, files or exports
     qsizetype damagedPlaces_ = 0;
-    QTimer look_;
+    QTimer pollTimer_;
     QElapsedTimer sinceLook_;
 
     // Qt's parents own the widgets.

@@ -322,10 +322,10 @@ void WhatIfPage::showAnswer()
     const bool asRecorded = *asked_ == before.side[0].settings && isRecordedModel();
     QString text;
     Tone tone = Tone::Plain;
-    if (asRecorded && found.likeness == Match::Identical) {
+    if (asRecorded && found.match == Match::Identical) {
         text = tr("The recorded settings and model reproduce the recorded estimate bit for bit.");
         tone = Tone::Good;
-    } else if (asRecorded && found.likeness == Match::LastBits) {
+    } else if (asRecorded && found.match == Match::LastBits) {
         text = tr("The recorded settings and model reproduce the recorded estimate except for "
                   "rounding in the last bits: no number moves by more than a millionth.");
         tone = Tone::Good;

@@ -10,16 +10,16 @@
 namespace terratact {
 namespace {
 
-const char* programOfLastWords = "";
+const char* terminatingProgram = "";
 
-[[noreturn]] void sayWhyAndAbort()
+[[noreturn]] void printFailureAndAbort()
 {
     try {
         if (const std::exception_ptr thrown = std::current_exception())
             std::rethrow_exception(thrown);
     } catch (const std::exception& error) {
         try {
-            printText(stderr, "{}: {}\n", programOfLastWords, describeFailure(error));
+            printText(stderr, "{}: {}\n", terminatingProgram, describeFailure(error));
         } catch (...) {  // no memory even for the sentence: abort() is reported by the shell
         }
     } catch (...) {
@@ -29,10 +29,10 @@ const char* programOfLastWords = "";
 
 }  // namespace
 
-void sayWhyOnTerminate(const char* program)
+void printFailureOnTerminate(const char* program)
 {
-    programOfLastWords = program;
-    std::set_terminate(sayWhyAndAbort);
+    terminatingProgram = program;
+    std::set_terminate(printFailureAndAbort);
 }
 
 }  // namespace terratact

@@ -4,6 +4,6 @@ namespace terratact {
 
 /// From now on, an exception that nothing catches prints one sentence, "program: " and describeFailure() of it, before
 /// the process aborts. main() cannot catch what a thread throws. program: a literal.
-void sayWhyOnTerminate(const char* program);
+void printFailureOnTerminate(const char* program);
 
 }  // namespace terratact

@@ -242,7 +242,7 @@ void ConsoleWindow::addRemoteStop()
         end->start();
     };
     auto* remote = new RemoteStop(this);
-    connect(remote, &RemoteStop::said, banner, showOn);
+    connect(remote, &RemoteStop::reported, banner, showOn);
     header_->setStop({.state = StopViewState::State::Elsewhere});
     header_->stopButton()->setVisible(remote->exists());
     connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);

@@ -40,22 +40,22 @@ const std::string& stopLineName()
 RemoteStop::RemoteStop(QObject* parent)
     : QObject(parent), line_(qgetenv(kStopLineVariable).toStdString())
 {
-    look_.setInterval(kPollAnswer);
-    connect(&look_, &QTimer::timeout, this, &RemoteStop::poll);
+    timer_.setInterval(kPollAnswer);
+    connect(&timer_, &QTimer::timeout, this, &RemoteStop::poll);
 }
 
 void RemoteStop::press()
 {
-    look_.stop();
+    timer_.stop();
     if (!caller_) {
         auto opened = StopCaller::open();
         if (!opened) return fail(opened.error());
         caller_.emplace(std::move(*opened));
     }
     if (const Status sent = caller_->press(line_); !sent) return fail(sent.error());
-    looks_ = 0;
-    look_.start();
-    emit said(
+    polls_ = 0;
+    timer_.start();
+    emit reported(
         TR_NOOP("terratact::RemoteStop", "STOP SENT to the console that opened this window …"),
         EventSeverity::Note);
 }
@@ -71,20 +71,21 @@ void RemoteStop::fail(const Error& error)
                               "STOP NOT SENT: the console's stop line was not found at %1; press "
                               "STOP in the console, or use the robot's own switch"),
                       line_);
-    emit said(why, EventSeverity::Bad);
+    emit reported(why, EventSeverity::Bad);
 }
 
 void RemoteStop::poll()
 {
     if (caller_->isTaken()) {
-        look_.stop();
-        emit said(TR_NOOP("terratact::RemoteStop",
-                          "STOP: the console that opened this window has received it; look there "
-                          "whether the robot confirms it"),
-                  EventSeverity::Note);
-    } else if (++looks_ * kPollAnswer >= kAnswers) {
-        look_.stop();
-        emit said(
+        timer_.stop();
+        emit reported(
+            TR_NOOP("terratact::RemoteStop",
+                    "STOP: the console that opened this window has received it; look there "
+                    "whether the robot confirms it"),
+            EventSeverity::Note);
+    } else if (++polls_ * kPollAnswer >= kAnswers) {
+        timer_.stop();
+        emit reported(
             TR_NOOP("terratact::RemoteStop",
                     "STOP NOT RECEIVED: the console that opened this window does not answer; use "
                     "the robot's own switch"),

@@ -28,13 +28,13 @@ public:
     explicit RemoteStop(QObject* parent = nullptr);
 
     bool exists() const { return !line_.empty(); }  ///< a console has opened this program
-    /// Sends STOP. said() reports the result at once, and again when the console has received it or is gone.
+    /// Sends STOP. reported() gives the result at once, and again when the console has received it or is gone.
     void press();
 
     static constexpr int kAnswers = 500;  ///< [ms] time limit for the console's answer
 
 signals:
-    void said(const terratact::Message& text, terratact::EventSeverity severity);
+    void reported(const terratact::Message& text, terratact::EventSeverity severity);
 
 private:
     void fail(const Error& error);
@@ -42,8 +42,8 @@ private:
 
     std::string line_;
     std::optional<StopCaller> caller_;
-    QTimer look_;
-    int looks_ = 0;
+    QTimer timer_;
+    int polls_ = 0;
 };
 
 }  // namespace terratact

@@ -67,7 +67,7 @@ bool lettersExist()
 }
 
 /// Prints why the program ends. Without memory even for the sentence, it prints nothing.
-void sayFailure(const std::exception& failure)
+void printFailure(const std::exception& failure)
 {
     try {
         printText(stderr, "terratact-console: {}\n", describeFailure(failure));
@@ -87,7 +87,7 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event)
         if (!isInLoop) throw;
         hasFailed_ = true;
         QApplication::exit(EXIT_FAILURE);
-        sayFailure(error);
+        printFailure(error);
         return true;
     }
 }

@@ -27,14 +27,14 @@ Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
     showWindow(window, options);
     if (!options.isPicture()) return QApplication::exec();
     Status saved = Done{};
-    QTimer look;
-    QObject::connect(&look, &QTimer::timeout, &window, [&] {
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &window, [&] {
         if (!isReady()) return;
-        look.stop();
+        timer.stop();
         saved = saveWindow(window, options.screenshot);
         QApplication::exit();
     });
-    look.start(kReadyPeriod);
+    timer.start(kReadyPeriod);
     const int code = QApplication::exec();
     if (!saved) return saved.error();
     return code;

@@ -37,7 +37,7 @@ bool isDue(const std::optional<double>& last, double period, double now)
 }
 
 // Returns true if the console must send Disarm to the robot.
-bool mustTellRobot(const ArmingState& before, const ArmingState& after)
+bool mustSendDisarm(const ArmingState& before, const ArmingState& after)
 {
     const bool was = before.phase == ArmingPhase::Armed || before.phase == ArmingPhase::Requested;
     return was && after.phase == ArmingPhase::Disarmed && after.cause != DisarmCause::RobotDisarmed
@@ -229,7 +229,7 @@ void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
     if (before.phase != ArmingPhase::Requested && arming_.phase == ArmingPhase::Requested) {
         if (const auto frame = passed(ArmCommand{true}, now)) out.push_back(*frame);
     }
-    const bool tells = mustTellRobot(before, arming_);
+    const bool tells = mustSendDisarm(before, arming_);
     if (tells) {
         if (const auto frame = passed(ArmCommand{false}, now)) out.push_back(*frame);
     }

@@ -22,7 +22,7 @@ public:
     {
         if (m.activity != RobotActivity::Driving || !m.travelled) {
             since_.reset();
-            said_ = false;
+            reported_ = false;
             return false;
         }
         const bool moved = !since_ || std::abs(*m.travelled - way_) > kWay
@@ -31,18 +31,18 @@ public:
             since_ = now;
             way_ = *m.travelled;
             front_ = m.frontLeft;
-            said_ = false;
+            reported_ = false;
             return false;
         }
-        if (said_ || now - *since_ < kStandsFor) return false;
-        said_ = true;
+        if (reported_ || now - *since_ < kStandsFor) return false;
+        reported_ = true;
         return true;
     }
 
 private:
     std::optional<double> since_;  ///< time of the last motion [s]
     double way_ = 0.0, front_ = 0.0;
-    bool said_ = false;
+    bool reported_ = false;
 };
 
 }  // namespace terratact

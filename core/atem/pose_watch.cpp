@@ -6,11 +6,11 @@ namespace terratact {
 
 namespace {
 
-/// Returns true if two different lines in a row differ from the pose; `since` keeps the count of
-/// the first.
-bool confirmed(bool says, std::uint64_t count, std::uint64_t& since)
+/// Confirms a change of the pose: two successive lines of different count must show it. `since`
+/// keeps the count of the first one; 0: none.
+bool confirmed(bool isChanged, std::uint64_t count, std::uint64_t& since)
 {
-    if (!says)
+    if (!isChanged)
         since = 0;
     else if (since == 0)
         since = count;
@@ -35,9 +35,9 @@ bool PoseWatch::tilted(const Measurement& newest) const
 
 bool PoseWatch::bodyMoved(const Measurement& newest) const
 {
-    const bool tells = newest.travelled && scene_.travelled && newest.turned && scene_.turned;
+    const bool hasOdometry = newest.travelled && scene_.travelled && newest.turned && scene_.turned;
     return tilted(newest) || tracksMoved(newest)
-        || (newest.activity == RobotActivity::Driving && !tells);
+        || (newest.activity == RobotActivity::Driving && !hasOdometry);
 }
 
 bool PoseWatch::differs(const Measurement& newest) const

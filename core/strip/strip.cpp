@@ -23,7 +23,7 @@ StripLedger scored(const std::vector<StripTouch>& touches)
 {
     StripLedger ledger;
     for (const StripTouch& touch : touches)
-        ledger.add(touch.by, touch.said, touch.felt, touch.feltSd);
+        ledger.add(touch.by, touch.predicted, touch.felt, touch.feltSd);
     return ledger;
 }
 
@@ -97,10 +97,10 @@ PoseOffset Strip::offsetOf(const TwoTrackEstimate& estimate)
     return matched(prior, bins);
 }
 
-/// Returns what the strip says of a column, as seen from the scene's pose by odometry alone. Empty: it tells nothing of
-/// the line that the robot touches there. onFlippers: the line of the flippers, not of the track.
-std::optional<HeightBand> Strip::saidOf(const StripSection& section, const WayPose& pose,
-                                        int column, std::size_t side, bool onFlippers) const
+/// Returns the strip's prediction for a column, as seen from the scene's pose by odometry alone. Empty: the strip has
+/// no height of the line that the robot touches there. onFlippers: the line of the flippers, not of the track.
+std::optional<HeightBand> Strip::predictedBand(const StripSection& section, const WayPose& pose,
+                                               int column, std::size_t side, bool onFlippers) const
 {
     const auto found = section.columns.find(column);
     if (found == section.columns.end() || !found->second.at(side)) return std::nullopt;
@@ -118,10 +118,10 @@ std::vector<StripTouch> Strip::touchesOf(const TwoTrackEstimate& estimate) const
     const Vec2 imu = section->imuAt(pose);
     const auto add = [&](ScoredBy by, std::size_t side, int column, bool onFlippers, double height,
                          double sd) {
-        const auto said = saidOf(*section, pose, column, side, onFlippers);
-        if (said && StripLedger::canScore(*said, height, sd))
+        const auto predicted = predictedBand(*section, pose, column, side, onFlippers);
+        if (predicted && StripLedger::canScore(*predicted, height, sd))
             touches.insert(touches.end(),
-                           {by, side, column * kBinWidth - imu.x, *said, height, sd});
+                           {by, side, column * kBinWidth - imu.x, *predicted, height, sd});
     };
     const Settings& settings = estimate.side[0].settings;
     const auto contacts = sceneContacts(robot_, scene_, estimate.onePlane, settings);

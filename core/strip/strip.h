@@ -80,7 +80,7 @@ struct StripTouch {
     ScoredBy by = ScoredBy::Contact;
     std::size_t side = 0;             ///< 0: left, or both of one plane; 1: right
     double x = 0.0;                   ///< [m] centre of the strip's bin, forward from the IMU
-    HeightBand said;                  ///< [m] DEM frame of the scene
+    HeightBand predicted;             ///< [m] DEM frame of the scene
     double felt = 0.0, feltSd = 0.0;  ///< [m] height of the touch
 };
 
@@ -160,8 +160,8 @@ private:
     StripSection* sectionOf(std::int64_t segment);
     const StripSection* sectionOf(std::int64_t segment) const;
     PoseOffset offsetOf(const TwoTrackEstimate& estimate);
-    std::optional<HeightBand> saidOf(const StripSection& section, const WayPose& pose, int column,
-                                     std::size_t side, bool onFlippers) const;
+    std::optional<HeightBand> predictedBand(const StripSection& section, const WayPose& pose,
+                                            int column, std::size_t side, bool onFlippers) const;
     Fusion ruleFor(FeltBy older, FeltBy newer) const;
     void place(StripSection& section, std::size_t side, const EnteredBin& entered,
                const WayPose& pose);

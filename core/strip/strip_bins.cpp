@@ -9,7 +9,7 @@ namespace terratact {
 namespace {
 
 constexpr double kOnCentre = 1e-9;  // share of a bin's width
-constexpr double kMostly = 0.9;     // share of a stretch that decides how it was felt
+constexpr double kMajority = 0.9;   // share of a stretch that decides how it was felt
 
 HeightBand bandOf(const TerrainEstimate& e, std::size_t i)
 {
@@ -38,7 +38,9 @@ StripBin binAt(const TerrainEstimate& e, double position, std::int64_t source)
     StripBin bin;
     bin.band = blended(bandOf(e, i), bandOf(e, i + 1), share);
     const FeltBy behind = feltBy(e, rear), ahead = feltBy(e, rear + 1);
-    bin.felt = share >= kMostly ? ahead : share <= 1.0 - kMostly ? behind : across(behind, ahead);
+    bin.felt = share >= kMajority       ? ahead
+             : share <= 1.0 - kMajority ? behind
+                                        : across(behind, ahead);
     const int nearest = share < 0.5 ? rear : rear + 1;
     bin.slopes = {slopeBefore(e, nearest), slopeBefore(e, nearest + 1)};
     bin.onFlipperLine = nearest >= kFirstFlipperBin;

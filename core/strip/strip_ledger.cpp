@@ -31,19 +31,19 @@ double StripScore::rmsZ() const
     return n > 0 ? std::sqrt(sumSquares / static_cast<double>(n)) : 0.0;
 }
 
-bool StripLedger::canScore(const HeightBand& said, double felt, double feltSd)
+bool StripLedger::canScore(const HeightBand& predicted, double felt, double feltSd)
 {
-    const double sd = std::hypot(said.sd, feltSd);
-    return std::isfinite(felt - said.height) && feltSd >= 0.0 && std::isfinite(sd) && sd > 0.0;
+    const double sd = std::hypot(predicted.sd, feltSd);
+    return std::isfinite(felt - predicted.height) && feltSd >= 0.0 && std::isfinite(sd) && sd > 0.0;
 }
 
-void StripLedger::add(ScoredBy by, const HeightBand& said, double felt, double feltSd)
+void StripLedger::add(ScoredBy by, const HeightBand& predicted, double felt, double feltSd)
 {
-    if (!canScore(said, felt, feltSd))
+    if (!canScore(predicted, felt, feltSd))
         throw std::invalid_argument("StripLedger: not a measurement");
-    const double sd = std::hypot(said.sd, feltSd);
-    const HeightBand band = widened(said, feltSd);
-    const double z = (felt - said.height) / sd;
+    const double sd = std::hypot(predicted.sd, feltSd);
+    const HeightBand band = widened(predicted, feltSd);
+    const double z = (felt - predicted.height) / sd;
     const bool isInside = band.q10 <= felt && felt <= band.q90;
     scores_.at(static_cast<std::size_t>(by)) += {1, isInside ? 1U : 0U, z, z * z};
 }

@@ -24,7 +24,7 @@ std::string_view name(ScoredBy by);
 struct StripScore {
     std::size_t n = 0;        ///< touches
     std::size_t in80 = 0;     ///< of these within the 80 % band of what would be felt
-    double sumZ = 0.0;        ///< Σ z,  z = (felt − said) / √(sd² + touchSd²)
+    double sumZ = 0.0;        ///< Σ z,  z = (felt − predicted) / √(sd² + touchSd²)
     double sumSquares = 0.0;  ///< Σ z²
 
     StripScore& operator+=(const StripScore& other);
@@ -39,10 +39,10 @@ struct StripScore {
 class StripLedger {
 public:
     /// Returns true if a touch can score a band: the height is finite, and so is √(sd² + feltSd²), above 0.
-    static bool canScore(const HeightBand& said, double felt, double feltSd);
-    /// Scores a band against a height that is felt later with an sd. `said` must not depend on the touch. Throws
+    static bool canScore(const HeightBand& predicted, double felt, double feltSd);
+    /// Scores a band against a height that is felt later with an sd. `predicted` must not depend on the touch. Throws
     /// std::invalid_argument unless canScore().
-    void add(ScoredBy by, const HeightBand& said, double felt, double feltSd);
+    void add(ScoredBy by, const HeightBand& predicted, double felt, double feltSd);
 
     StripLedger& operator+=(const StripLedger& other);
     const StripScore& of(ScoredBy by) const { return scores_[static_cast<std::size_t>(by)]; }

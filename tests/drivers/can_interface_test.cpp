@@ -37,30 +37,30 @@ struct Interfaces : testing::Test {
 
 TEST_F(Interfaces, areDescribedByTheFilesOfTheKernel)
 {
-    EXPECT_EQ(lookAtInterface("can0", root), (CanInterfaceFacts{.name = "can0",
-                                                                .present = true,
-                                                                .isCan = true,
-                                                                .isVirtual = false,
-                                                                .up = false,
-                                                                .sendQueue = 10,
-                                                                .receiveLimit = 212'992,
-                                                                .mayForce = true,
-                                                                .others = {"can0", "vcan0"}}));
-    const CanInterfaceFacts vcan = lookAtInterface("vcan0", root);
+    EXPECT_EQ(inspectInterface("can0", root), (CanInterfaceFacts{.name = "can0",
+                                                                 .present = true,
+                                                                 .isCan = true,
+                                                                 .isVirtual = false,
+                                                                 .up = false,
+                                                                 .sendQueue = 10,
+                                                                 .receiveLimit = 212'992,
+                                                                 .mayForce = true,
+                                                                 .others = {"can0", "vcan0"}}));
+    const CanInterfaceFacts vcan = inspectInterface("vcan0", root);
     EXPECT_TRUE(vcan.up && vcan.isVirtual && vcan.isCan);
     EXPECT_FALSE(vcan.sendQueue);
-    const CanInterfaceFacts lo = lookAtInterface("lo", root);
+    const CanInterfaceFacts lo = inspectInterface("lo", root);
     EXPECT_TRUE(lo.present);
     EXPECT_FALSE(lo.isCan);
 }
 
 TEST_F(Interfaces, mayBeAbsentOrImpossible)
 {
-    EXPECT_FALSE(lookAtInterface("can1", root).present);
+    EXPECT_FALSE(inspectInterface("can1", root).present);
     for (const char* name :
          {"", ".", "..", "can0/../can0", "can0;ls", "a-name-of-16-byte", "can 0"})
-        EXPECT_FALSE(lookAtInterface(name, root).present) << name;
-    const CanInterfaceFacts nothing = lookAtInterface("can0", folder.file("none"));
+        EXPECT_FALSE(inspectInterface(name, root).present) << name;
+    const CanInterfaceFacts nothing = inspectInterface("can0", folder.file("none"));
     EXPECT_EQ(nothing, (CanInterfaceFacts{
                            .name = "can0", .sendQueue = {}, .receiveLimit = {}, .others = {}}));
 }
@@ -70,7 +70,7 @@ TEST_F(Interfaces, survivesFilesThatHoldSomethingElse)
     write("/sys/class/net/can0/type", "two");
     write("/proc/sys/net/core/rmem_max", "");
     write("/proc/self/status", "CapEff:");
-    const CanInterfaceFacts facts = lookAtInterface("can0", root);
+    const CanInterfaceFacts facts = inspectInterface("can0", root);
     EXPECT_TRUE(facts.present);
     EXPECT_FALSE(facts.isCan);
     EXPECT_FALSE(facts.receiveLimit);

@@ -23,36 +23,37 @@ public:
 
     bool eventFilter(QObject* object, QEvent* event) override
     {
-        if (event->type() == QEvent::Show) return told(object);
+        if (event->type() == QEvent::Show) return restyle(object);
         if (event->type() != QEvent::StyleChange || !laysOutContent(object)) return false;
         if (static_cast<QWidget*>(object)->isVisible()) return false;
-        if (!untold_.contains(object)) {
-            untold_.insert(object);
-            connect(object, &QObject::destroyed, this, [this, object] { untold_.remove(object); });
+        if (!pending_.contains(object)) {
+            pending_.insert(object);
+            connect(object, &QObject::destroyed, this, [this, object] { pending_.remove(object); });
         }
         return true;
     }
 
 private:
     /// Tells an area what it missed; the area shall receive the present event, too.
-    bool told(QObject* area)
+    bool restyle(QObject* area)
     {
-        if (!untold_.remove(area)) return false;
+        if (!pending_.remove(area)) return false;
         disconnect(area, &QObject::destroyed, this, nullptr);
         QEvent change(QEvent::StyleChange);
         QCoreApplication::sendEvent(area, &change);
         return false;
     }
 
-    QSet<const QObject*> untold_;
+    QSet<const QObject*> pending_;
 };
 
 }  // namespace
 
-void tellHiddenAreasLate(QApplication& application)
+void restyleHiddenAreasLate(QApplication& application)
 {
-    static bool tells = false;
-    if (!std::exchange(tells, true)) application.installEventFilter(new LateStyle(&application));
+    static bool isInstalled = false;
+    if (!std::exchange(isInstalled, true))
+        application.installEventFilter(new LateStyle(&application));
 }
 
 }  // namespace terratact

@@ -50,7 +50,7 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
     column_->insertWidget(page, button);
     buttons_ << button;
     keys_ << key;
-    telling_ << QString();
+    notes_ << QString();
     connect(button, &QPushButton::clicked, this, [this, page] { choose(page); });
     setDense(dense_);
     if (chosen_ < 0) choose(page);
@@ -59,12 +59,12 @@ void NavigationRail::addPage(const QString& name, Qt::Key key, const QString& ti
 void NavigationRail::showTexts(bool dense)
 {
     for (int page = 0; page < pages(); ++page) {
-        const QString name = button(page)->accessibleName(), &telling = telling_.at(page);
+        const QString name = button(page)->accessibleName(), &note = notes_.at(page);
         if (dense)
-            button(page)->setText(telling.isEmpty() ? name : telling);
+            button(page)->setText(note.isEmpty() ? name : note);
         else
             button(page)->setText(name + QLatin1Char('\n')
-                                  + (telling.isEmpty() ? keyText(keyOf(page)) : telling));
+                                  + (note.isEmpty() ? keyText(keyOf(page)) : note));
     }
 }
 
@@ -131,8 +131,8 @@ void NavigationRail::setOffered(int page, bool offered)
 
 void NavigationRail::setNote(int page, const QString& what, bool asks)
 {
-    if (telling_.at(page) != what) {
-        telling_[page] = what;
+    if (notes_.at(page) != what) {
+        notes_[page] = what;
         showTexts(dense_);
         button(page)->setAccessibleDescription(what);
     }

@@ -50,7 +50,7 @@ private:
     QVBoxLayout* column_ = nullptr;
     QList<QPushButton*> buttons_, tools_;
     QList<int> keys_;
-    QStringList telling_;  ///< status per page
+    QStringList notes_;  ///< status per page
     bool dense_ = false;
     int chosen_ = -1;
 };

@@ -59,7 +59,7 @@ void keepColoursOfWidgets()
 /// another notifies each widget once per ancestor.
 void dropSheet(QApplication& application)
 {
-    QWidgetList untold;
+    QWidgetList unnotified;
     for (QWidget* widget : QApplication::allWidgets()) {
         if (!widget->testAttribute(Qt::WA_WState_Polished)
             || widget->testAttribute(Qt::WA_SetStyle))
@@ -67,10 +67,10 @@ void dropSheet(QApplication& application)
         // QApplication::setStyle() uses these two attributes to select the widgets it notifies.
         widget->setAttribute(Qt::WA_WState_Polished, false);
         widget->setAttribute(Qt::WA_SetStyle);
-        untold << widget;
+        unnotified << widget;
     }
     application.setStyleSheet(QString());
-    for (QWidget* widget : untold) {
+    for (QWidget* widget : unnotified) {
         widget->setAttribute(Qt::WA_WState_Polished);
         widget->setAttribute(Qt::WA_SetStyle, false);
     }
@@ -109,7 +109,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     installSpokenLabels();
     keepPlotsPlain();
     markFocus(application);
-    tellHiddenAreasLate(application);
+    restyleHiddenAreasLate(application);
     // Without a style sheet the font costs half. Each of the calls below visits every widget.
     if (first) {
         // A style sheet wraps the style; a second style would be wrapped, too.

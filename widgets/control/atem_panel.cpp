@@ -281,9 +281,9 @@ QList<Precondition> AtemPanel::listOf(Commanded command) const
     return list;
 }
 
-void AtemPanel::setResultStands(bool stands)
+void AtemPanel::setHasResult(bool hasResult)
 {
-    if (std::exchange(resultStands_, stands) != stands) showButtons();
+    if (std::exchange(hasResult_, hasResult) != hasResult) showButtons();
 }
 
 void AtemPanel::setProbeToAsk(std::optional<ProbePlace> place, const QString& gain)
@@ -392,7 +392,7 @@ void AtemPanel::showButtons()
     const bool busy = exploring(state_.phase);
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
-                    || (!busy && resultStands_);
+                    || (!busy && hasResult_);
 
     const bool asks = askPlace_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
     abort_->setVisible(!stopped && !asks);

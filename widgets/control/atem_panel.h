@@ -43,7 +43,7 @@ public:
     void lookUpNext();         ///< cycles through the commands, then back to the next command
     Commanded listed() const;  ///< command whose preconditions are listed
     /// Tells whether an estimate is on the screen that can be cleared, in any state.
-    void setResultStands(bool stands);
+    void setHasResult(bool hasResult);
 
     /// Sets the place for which the operator may now request a probe, and the text of its expected gain; empty: none.
     /// Its button replaces the one that clears the estimate.
@@ -93,7 +93,7 @@ private:
     bool onlyShows_ = false;
     bool narrow_ = false;
     bool stacks_ = false;  ///< the buttons stand one above the other even if they fit side by side
-    bool resultStands_ = false;
+    bool hasResult_ = false;
     std::array<QList<Precondition>, kCommanded.size()> needs_;
     std::optional<Commanded> lookedUp_;
     QLabel* subject_ = nullptr;  ///< names the command, unless it is exploring

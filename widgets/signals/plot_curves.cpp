@@ -62,7 +62,7 @@ std::vector<QPolygonF> curveLines(const TimePlotCurve& curve, const QwtScaleMap&
     return lines;
 }
 
-std::optional<std::pair<double, double>> valuesInSight(const std::vector<TimePlotCurve>& curves)
+std::optional<std::pair<double, double>> visibleRange(const std::vector<TimePlotCurve>& curves)
 {
     std::optional<std::pair<double, double>> range;
     const auto add = [&range](double low, double high) {

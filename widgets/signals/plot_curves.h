@@ -25,7 +25,7 @@ std::vector<QPolygonF> curveLines(const TimePlotCurve& curve, const QwtScaleMap&
                                   const QwtScaleMap& y, double until);
 
 /// Returns the range of the values in sight; empty: there are none.
-std::optional<std::pair<double, double>> valuesInSight(const std::vector<TimePlotCurve>& curves);
+std::optional<std::pair<double, double>> visibleRange(const std::vector<TimePlotCurve>& curves);
 
 /// Draws the curves of a row with their numbers, the cursor, a legend and the box that is being drawn.
 class PlotCurves final : public QwtPlotItem {

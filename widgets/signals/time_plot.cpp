@@ -168,7 +168,7 @@ void TimePlot::fitValues()
         std::tie(low_, high_) = *values_;
         return;
     }
-    const auto sight = valuesInSight(items_->curves);
+    const auto sight = visibleRange(items_->curves);
     if (!sight) return;
     // Qwt's scale engine takes no larger numbers.
     constexpr double kLargest = 1e30;

@@ -162,7 +162,7 @@ Status exportAs(const SessionScenesOptions& options, Scenes scenes, Text text)
 }
 
 /// Scenes of one plane hold the means of both sides.
-void sayWhatTracksWouldAdd(const std::vector<std::string>& files)
+void printUnusedSides(const std::vector<std::string>& files)
 {
     std::ptrdiff_t withSides = 0;
     for (const std::string& file : files)
@@ -214,7 +214,7 @@ Status exportScenes(const SessionScenesOptions& options)
     if (options.drives) return exportDrives(options);
     if (options.tracks) return exportAs(options, std::vector<TwoTrackScene>{}, twoTrackScenesText);
     const Status done = exportAs(options, std::vector<Scene>{}, scenesText);
-    if (done) sayWhatTracksWouldAdd(options.files);
+    if (done) printUnusedSides(options.files);
     return done;
 }
 

@@ -55,12 +55,12 @@ private:
         printText(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
                   r.row.scene, momentText(r.row.time),
                   name(r.row.estimate.side[0].settings.method));
-        const bool identical = d.likeness == Match::Identical;
+        const bool identical = d.match == Match::Identical;
         if (r.asRecorded && identical) {
             printText(messages_, "reproduced bit for bit\n");
             return;
         }
-        if (r.asRecorded && d.likeness == Match::LastBits) {
+        if (r.asRecorded && d.match == Match::LastBits) {
             printText(messages_,
                       "reproduced but for the last bits of another processor or version, "
                       "heights within {:.1g} m\n",
@@ -108,8 +108,8 @@ private:
         std::vector<double> moved;
         const std::vector<Rerun>& all = reruns_.all();
         for (const Rerun& r : all) {
-            same += r.differences.likeness == Match::Identical;
-            lastBits += r.differences.likeness == Match::LastBits;
+            same += r.differences.match == Match::Identical;
+            lastBits += r.differences.match == Match::LastBits;
             other += r.differences.before.both != r.differences.after.both;
             moved.push_back(r.differences.largest());
         }

@@ -69,14 +69,14 @@ QString factsOf(const BusOffer& bus)
 
 std::vector<BusOffer> busOffers(const std::stop_token& stop)
 {
-    std::vector<std::string> names = lookAtInterface("").others;
+    std::vector<std::string> names = inspectInterface("").others;
     if (names.empty()) names.emplace_back("can0");
     const int socketError = canSocketError();
     std::vector<BusOffer> offers;
     offers.reserve(names.size());
     for (const std::string& name : names) {
         if (stop.stop_requested()) break;
-        offers.push_back({name, findingsOf(lookAtInterface(name), socketError,
+        offers.push_back({name, findingsOf(inspectInterface(name), socketError,
                                            controllerFrom(linkDetails(name)))});
     }
     return offers;
@@ -107,14 +107,14 @@ ConnectWindow::ConnectWindow(Options options, QWidget* parent)
     connect_ = new QPushButton(this);
     connect_->setProperty("role", "primary");
     connect_->setDefault(true);
-    look_ = new QPushButton(tr("Look again"), this);
-    look_->setAutoDefault(false);
-    setTip(*look_, tr("Looks at the CAN interfaces of this computer again"));
+    search_ = new QPushButton(tr("Look again"), this);
+    search_->setAutoDefault(false);
+    setTip(*search_, tr("Looks at the CAN interfaces of this computer again"));
     auto* row = new QHBoxLayout;
-    row->addWidget(look_);
+    row->addWidget(search_);
     row->addStretch(1);
     row->addWidget(connect_);
-    for (QPushButton* const button : {connect_, look_}) button->setMinimumHeight(kTarget);
+    for (QPushButton* const button : {connect_, search_}) button->setMinimumHeight(kTarget);
     column->addWidget(inUse);
     column->addWidget(list_, 1);
     column->addWidget(facts_);
@@ -128,7 +128,7 @@ ConnectWindow::ConnectWindow(Options options, QWidget* parent)
     });
     connect(list_, &QListWidget::itemDoubleClicked, this, &ConnectWindow::connectChosen);
     connect(connect_, &QPushButton::clicked, this, &ConnectWindow::connectChosen);
-    connect(look_, &QPushButton::clicked, this, &ConnectWindow::lookAgain);
+    connect(search_, &QPushButton::clicked, this, &ConnectWindow::searchAgain);
     auto* state = new QTimer(this);
     connect(state, &QTimer::timeout, this, [this] {
         if (isVisible()) showChosen();
@@ -149,21 +149,21 @@ void ConnectWindow::showEvent(QShowEvent* event)
     QDialog::showEvent(event);
     if (event->spontaneous()) return;
     transmit_->setChecked(false);
-    lookAgain();
+    searchAgain();
 }
 
-void ConnectWindow::lookAgain()
+void ConnectWindow::searchAgain()
 {
-    if (looks_) return;
+    if (isSearching_) return;
     const Kind before = kind();
     const BusOffer* const bus = chosenBus();
     chosenName_ = bus ? bus->name : std::string();
     buses_.clear();
-    looks_ = true;
+    isSearching_ = true;
     listSources();
-    choose(before == Kind::Bus ? Kind::Looking : before);
-    thread_ = std::jthread([this, look = options_.look](const std::stop_token& stop) {
-        auto found = look(stop);
+    choose(before == Kind::Bus ? Kind::Searching : before);
+    thread_ = std::jthread([this, search = options_.search](const std::stop_token& stop) {
+        auto found = search(stop);
         QMetaObject::invokeMethod(
             this, [this, found = std::move(found)] { showFound(found); }, Qt::QueuedConnection);
     });
@@ -173,9 +173,9 @@ void ConnectWindow::showFound(std::vector<BusOffer> found)
 {
     const Kind before = kind();
     buses_ = std::move(found);
-    looks_ = false;
+    isSearching_ = false;
     listSources();
-    if (before != Kind::Looking) return choose(before);
+    if (before != Kind::Searching) return choose(before);
     for (std::size_t i = 0; i < buses_.size(); ++i)
         if (buses_[i].name == chosenName_) return list_->setCurrentRow(static_cast<int>(i) + 1);
     choose(Kind::None);
@@ -186,12 +186,12 @@ void ConnectWindow::listSources()
 {
     list_->clear();
     list_->addItem(tr("Simulated robot in this program"));
-    if (looks_) list_->addItem(tr("Looking for CAN buses …"));
+    if (isSearching_) list_->addItem(tr("Looking for CAN buses …"));
     for (const BusOffer& bus : buses_)
         list_->addItem(tr("CAN bus %1 — %2").arg(format::shownName(bus.name), stateOf(bus)));
     list_->addItem(tr("Log to replay, in a window of its own"));
     list_->addItem(tr("Session to review, in a window of its own"));
-    look_->setEnabled(!looks_);
+    search_->setEnabled(!isSearching_);
 }
 
 void ConnectWindow::choose(Kind kind)
@@ -199,7 +199,7 @@ void ConnectWindow::choose(Kind kind)
     const int rows = list_->count();
     switch (kind) {
     case Kind::Simulated: return list_->setCurrentRow(0);
-    case Kind::Looking: return list_->setCurrentRow(1);
+    case Kind::Searching: return list_->setCurrentRow(1);
     case Kind::Log: return list_->setCurrentRow(rows - 2);
     case Kind::Session: return list_->setCurrentRow(rows - 1);
     case Kind::None:
@@ -214,7 +214,7 @@ ConnectWindow::Kind ConnectWindow::kind() const
     const int row = list_->currentRow(), rows = list_->count();
     if (row < 0) return Kind::None;
     if (row == 0) return Kind::Simulated;
-    if (row < rows - 2) return looks_ ? Kind::Looking : Kind::Bus;
+    if (row < rows - 2) return isSearching_ ? Kind::Searching : Kind::Bus;
     return row == rows - 2 ? Kind::Log : Kind::Session;
 }
 
@@ -228,7 +228,7 @@ std::optional<QString> ConnectWindow::whyNotConnecting() const
 {
     if (kind() == Kind::Log || kind() == Kind::Session) return std::nullopt;
     if (kind() == Kind::None) return tr("Choose what to work with");
-    if (kind() == Kind::Looking) return tr("Looking for CAN buses …");
+    if (kind() == Kind::Searching) return tr("Looking for CAN buses …");
     if (const auto why = options_.whyNot ? options_.whyNot() : std::nullopt)
         return translated(*why);
     if (const BusOffer* const bus = chosenBus(); bus && worstOf(*bus) == CanFinding::Level::Problem)
@@ -246,7 +246,7 @@ void ConnectWindow::showChosen()
         if (!chosenName_.empty())
             facts = tr("CAN bus %1 is no longer there").arg(format::shownName(chosenName_));
         break;
-    case Kind::Looking: break;
+    case Kind::Searching: break;
     case Kind::Simulated:
         facts = tr("✔ Needs no hardware. Its ground is the one that the console was started with");
         break;

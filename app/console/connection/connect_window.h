@@ -36,14 +36,14 @@ std::vector<BusOffer> busOffers(const std::stop_token& stop);
 
 /// Window to choose what the console works with: a CAN bus, the simulated robot, a log to replay, or a session to
 /// review. It states what is wrong with each and what mends it. Logs and sessions open in a window of their own. The
-/// permission to send commands is for one bus: it ends with another choice, another look, and another opening.
+/// permission to send commands is for one bus: it ends with another choice, another search, and another opening.
 class ConnectWindow final : public QDialog {
     Q_OBJECT
 public:
     struct Options {
         QString inUse{};  ///< what the console is connected to
         /// Finds the interfaces; called in a thread of its own.
-        std::function<std::vector<BusOffer>(const std::stop_token& stop)> look = busOffers;
+        std::function<std::vector<BusOffer>(const std::stop_token& stop)> search = busOffers;
         /// Returns why this console must stay connected now; empty: it may change.
         std::function<std::optional<Message>()> whyNot;
         QString sessions{};  ///< folder of the sessions
@@ -51,14 +51,14 @@ public:
     explicit ConnectWindow(Options options, QWidget* parent = nullptr);
     ~ConnectWindow() override;
 
-    void lookAgain();  ///< looks at the CAN interfaces anew; does nothing while it looks
+    void searchAgain();  ///< looks at the CAN interfaces anew; does nothing while it looks
     /// Opens a file that was chosen as a session or as a log. Says what is wrong if it is none.
     void openFile(const QString& path, bool asSession);
 
     QListWidget* list() const { return list_; }
     QCheckBox* transmitBox() const { return transmit_; }
     QPushButton* connectButton() const { return connect_; }
-    QPushButton* lookButton() const { return look_; }
+    QPushButton* searchButton() const { return search_; }
     QString facts() const;   ///< about the chosen line
     QString result() const;  ///< why nothing was connected
 
@@ -70,7 +70,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    enum class Kind { None, Simulated, Looking, Bus, Log, Session };
+    enum class Kind { None, Simulated, Searching, Bus, Log, Session };
     void listSources();
     void showFound(std::vector<BusOffer> found);
     void choose(Kind kind);
@@ -82,14 +82,14 @@ private:
 
     Options options_;
     std::vector<BusOffer> buses_;
-    bool looks_ = false;      ///< at the interfaces; buses_ is empty until then
-    std::string chosenName_;  ///< bus that was chosen before this look; empty: none
+    bool isSearching_ = false;  ///< at the interfaces; buses_ is empty until then
+    std::string chosenName_;    ///< bus that was chosen before this search; empty: none
     QListWidget* list_ = nullptr;
     QLabel* facts_ = nullptr;
     QCheckBox* transmit_ = nullptr;
     QLabel* result_ = nullptr;
     QPushButton* connect_ = nullptr;
-    QPushButton* look_ = nullptr;
+    QPushButton* search_ = nullptr;
     std::jthread thread_;  // looks at the interfaces
 };
 

@@ -103,7 +103,7 @@ QString groupWords()
 
 DiagnosticsSection permissions()
 {
-    const CanInterfaceFacts facts = lookAtInterface("");
+    const CanInterfaceFacts facts = inspectInterface("");
     QStringList interfaces;
     for (const std::string& name : facts.others) interfaces << format::text(name);
     return {DiagnosticsPage::tr("Permissions"),
@@ -259,8 +259,8 @@ QString plainText(const QList<DiagnosticsSection>& sections)
     return text;
 }
 
-DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
-    : Page(parent), look_(std::move(look)), standing_(standingDiagnostics())
+DiagnosticsPage::DiagnosticsPage(ReadSections read, QWidget* parent)
+    : Page(parent), read_(std::move(read)), standing_(standingDiagnostics())
 {
     auto* title = new PlainLabel(tr("Diagnostics"), this);
     title->setProperty("heading", true);
@@ -278,7 +278,7 @@ DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
     auto* content = new QWidget(this);
     auto* left = new QVBoxLayout;
     auto* right = new QVBoxLayout;
-    for (const DiagnosticsSection& section : look_()) left->addWidget(cardOf(section, &values_));
+    for (const DiagnosticsSection& section : read_()) left->addWidget(cardOf(section, &values_));
     for (const DiagnosticsSection& section : standing_) right->addWidget(cardOf(section, nullptr));
     auto* halves = new QHBoxLayout(content);
     halves->setContentsMargins(0, 0, 0, 0);
@@ -328,13 +328,13 @@ void DiagnosticsPage::refresh(double now)
     if (now - shownAt_ < kRefresh - 1e-3) return;
     shownAt_ = now;
     int i = 0;
-    for (const DiagnosticsSection& section : look_())
+    for (const DiagnosticsSection& section : read_())
         for (const auto& [name, value] : section.lines) values_.at(i++)->setText(value);
 }
 
 QString DiagnosticsPage::text() const
 {
-    return plainText(look_() + standing_);
+    return plainText(read_() + standing_);
 }
 
 }  // namespace terratact

@@ -67,11 +67,11 @@ QString plainText(const QList<DiagnosticsSection>& sections);
 class DiagnosticsPage final : public Page {
     Q_OBJECT
 public:
-    using Look = std::function<QList<DiagnosticsSection>()>;
+    using ReadSections = std::function<QList<DiagnosticsSection>()>;
 
-    /// look: returns the changing sections; called once a second while the page is visible. Sections and lines must be
+    /// read: returns the changing sections; called once a second while the page is visible. Sections and lines must be
     /// the same each time.
-    explicit DiagnosticsPage(Look look, QWidget* parent = nullptr);
+    explicit DiagnosticsPage(ReadSections read, QWidget* parent = nullptr);
     void refresh(double now) override;
 
     QString text() const;  ///< text that the button copies
@@ -80,7 +80,7 @@ public:
 private:
     QWidget* cardOf(const DiagnosticsSection& section, QList<QLabel*>* values);
 
-    Look look_;
+    ReadSections read_;
     QList<DiagnosticsSection> standing_;
     QList<QLabel*> values_;  ///< labels of the changing values
     QPushButton* copy_ = nullptr;

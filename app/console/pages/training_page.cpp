@@ -289,8 +289,8 @@ void TrainingPage::showButtons()
     const auto busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
     const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
     offer(start_, busy ? busy : whyNot, tr("Trains the model in the background"));
-    const bool mustSay = !scenes_->text().isEmpty() || status_->text().isEmpty();
-    if (phase_ == Phase::Idle && whyNot && mustSay) showStatus(*whyNot);
+    const bool mustShow = !scenes_->text().isEmpty() || status_->text().isEmpty();
+    if (phase_ == Phase::Idle && whyNot && mustShow) showStatus(*whyNot);
     offer(cancel_, runs ? std::nullopt : std::optional(tr("No training or comparison is running.")),
           tr("Cancels the training or comparison; no file is written"));
     for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_})

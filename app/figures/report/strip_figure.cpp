@@ -104,7 +104,7 @@ bool holdsUnrecorded(const StripPiece& piece)
 }
 
 /// Look of a side. Left and right differ by line and band as well, for those who see no colours.
-struct SideLook {
+struct SideStyle {
     Colour colour;
     bool isRight = false;
 
@@ -131,15 +131,15 @@ public:
         drawGrid();
         const std::size_t sides = sidesOf(piece_);
         for (std::size_t side = 0; side < sides; ++side)
-            drawSide(side, sides == 1 ? SideLook{kStripBoth} : lookOf(side));
+            drawSide(side, sides == 1 ? SideStyle{kStripBoth} : sideStyle(side));
         drawLegend(sides);
         drawNewest();
     }
 
 private:
-    static SideLook lookOf(std::size_t side)
+    static SideStyle sideStyle(std::size_t side)
     {
-        return side == 0 ? SideLook{kStripLeftSide} : SideLook{kStripRightSide, true};
+        return side == 0 ? SideStyle{kStripLeftSide} : SideStyle{kStripRightSide, true};
     }
 
     Point at(double x, double z) const
@@ -215,7 +215,7 @@ private:
     }
 
     /// Draws a side: bands, then the line between neighbours, then the marks.
-    void drawSide(std::size_t side, const SideLook& look)
+    void drawSide(std::size_t side, const SideStyle& look)
     {
         const double aside = 2.0 * (side == 0 ? -1.0 : 1.0);  // two marks of one bin stay apart
         std::optional<std::pair<int, Point>> before;
@@ -249,7 +249,7 @@ private:
                               {kFigureMuted, 1.4, {}});
             };
         };
-        const auto line = [](const SideLook& look) {
+        const auto line = [](const SideStyle& look) {
             return [look](Canvas& canvas, Point centre) {
                 look.drawBand(canvas, centre, centre.y - 9.0, centre.y + 9.0);
                 canvas.line({centre.x - 13.0, centre.y}, {centre.x + 13.0, centre.y}, look.line());
@@ -257,9 +257,9 @@ private:
         };
         if (sides == 2) {
             entries.push_back(
-                {say(TR_NOOP("Report", "left, with its 80 % band")), line(lookOf(0))});
+                {say(TR_NOOP("Report", "left, with its 80 % band")), line(sideStyle(0))});
             entries.push_back(
-                {say(TR_NOOP("Report", "right, with its 80 % band")), line(lookOf(1))});
+                {say(TR_NOOP("Report", "right, with its 80 % band")), line(sideStyle(1))});
         } else {
             entries.push_back({say(TR_NOOP("Report", "both sides alike, with the 80 % band")),
                                line({kStripBoth})});

@@ -23,8 +23,8 @@ namespace {
 
 constexpr int kResamples = 2000;
 
-Result<std::unique_ptr<EstimatorBundle>> toolboxFrom(const RobotModel& robot,
-                                                     const std::string& path)
+Result<std::unique_ptr<EstimatorBundle>> bundleFrom(const RobotModel& robot,
+                                                    const std::string& path)
 {
     auto model = readModel(path);
     if (!model) return model.error();
@@ -106,9 +106,9 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
     const auto file = readScenesWithTruth(plan.data);
     if (!file) return file.error();
     const std::vector<Scene>& known = file->scenes;
-    const auto before = toolboxFrom(plan.robot, plan.oldModel);
+    const auto before = bundleFrom(plan.robot, plan.oldModel);
     if (!before) return before.error();
-    const auto after = toolboxFrom(plan.robot, plan.newModel);
+    const auto after = bundleFrom(plan.robot, plan.newModel);
     if (!after) return after.error();
 
     std::vector<Scene> scenes;

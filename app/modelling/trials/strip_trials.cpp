@@ -129,7 +129,8 @@ private:
     void scoreByTruth(const TwoTrackEstimate& estimate, const Vec2& imu)
     {
         for (const StripTouch& touch : strips_[0].touchesOf(estimate)) {
-            const bool isInside = judged({touch.x, touch.said, {}, 0.0, 0.0}, ground_, imu).inside;
+            const bool isInside =
+                judged({touch.x, touch.predicted, {}, 0.0, 0.0}, ground_, imu).inside;
             judged_.inTruth.at(static_cast<std::size_t>(touch.by)) += isInside ? 1U : 0U;
         }
     }

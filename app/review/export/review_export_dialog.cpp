@@ -27,8 +27,8 @@
 namespace terratact {
 namespace {
 
-constexpr int kLookEvery = 200;  // [ms]
-constexpr int kPathWide = 420;   // [px] at 100 %
+constexpr int kRefreshPeriod = 200;  // [ms]
+constexpr int kPathWide = 420;       // [px] at 100 %
 
 const ExportChoice& chosen(const QComboBox& what)
 {
@@ -103,7 +103,7 @@ ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     for (const QAbstractButton* choice :
          std::initializer_list<QAbstractButton*>{visible_, everything_, payload_})
         connect(choice, &QAbstractButton::toggled, result_, &QLabel::clear);
-    connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showViewState);
+    connect(&pollTimer_, &QTimer::timeout, this, &ReviewExportDialog::showViewState);
 }
 
 ReviewExportDialog::~ReviewExportDialog() = default;
@@ -203,7 +203,7 @@ void ReviewExportDialog::ask()
         wanted_.clear();
     }
     showViewState();
-    look_.start(kLookEvery);
+    pollTimer_.start(kRefreshPeriod);
     show();
     raise();
     activateWindow();
@@ -406,7 +406,7 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
 void ReviewExportDialog::reject()
 {
     if (job_) return job_->cancel();
-    look_.stop();
+    pollTimer_.stop();
     QDialog::reject();
 }
 

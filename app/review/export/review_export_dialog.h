@@ -82,7 +82,7 @@ private:
     ExportViewState viewState_;
     std::unique_ptr<SessionExportJob> job_;  ///< null: no export is running
     QString to_;  ///< file of the newest export; path() may have changed since
-    QTimer look_;
+    QTimer pollTimer_;
     QString named_;   ///< last proposed name; any other name was typed by the operator
     QString wanted_;  ///< named_ without the number that makes it free; empty: propose anew
 

@@ -14,7 +14,7 @@ namespace terratact {
 inline constexpr std::string_view kContradictsReadings = "the estimate contradicts the readings";
 
 /// Returns true if one of the warnings begins with kContradictsReadings.
-inline bool sayContradiction(const std::vector<Message>& warnings)
+inline bool haveContradiction(const std::vector<Message>& warnings)
 {
     return std::any_of(warnings.begin(), warnings.end(), [](const Message& warning) {
         return warning.source.starts_with(kContradictsReadings);

@@ -232,7 +232,7 @@ void readLeft(CheckedRow& row, TerrainEstimate& e)
     std::optional<bool> contradicts;
     if (row.hasMore()) contradicts = row.flag();
     e.warnings = warningsFrom(warnings, row.hasMore() ? row.text() : std::string());
-    e.contradicts = contradicts.value_or(sayContradiction(e.warnings));
+    e.contradicts = contradicts.value_or(haveContradiction(e.warnings));
 }
 
 /// Reads the columns of the right side, which are all there, or all NULL for an estimate of one plane.

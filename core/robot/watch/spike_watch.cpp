@@ -58,7 +58,7 @@ void SpikeWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, doubl
     found_.push_back(suspicionFor(kHold, sensor, trouble, now, amount));
 }
 
-void SpikeWatch::lookForSpike(std::size_t i, const Line& line)
+void SpikeWatch::detectSpike(std::size_t i, const Line& line)
 {
     const Sensor sensor = sensorAt(i);
     const SensorKind kind = kindOf(sensor);
@@ -83,7 +83,7 @@ void SpikeWatch::lookForSpike(std::size_t i, const Line& line)
     if (times.size() >= kSpikes) suspect(sensor, SensorTrouble::Spikes, now, least);
 }
 
-void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& readings)
+void SpikeWatch::checkRange(const Measurement& line, const SensorReadings& readings)
 {
     for (std::size_t i = 0; i < kSensors; ++i) {
         if (!readings[i]) continue;
@@ -105,12 +105,12 @@ void SpikeWatch::add(const Measurement& sensed)
 {
     found_.clear();
     const Line line{sensed, judgedReadings(sensed)};
-    lookAtRange(line.measurement, line.readings);
+    checkRange(line.measurement, line.readings);
     const auto follows = [](const Line& first, const Line& second) {
         return second.measurement.time - first.measurement.time <= kMaxGap;
     };
     if (beforeThat_ && follows(*before_, line) && follows(*beforeThat_, *before_))
-        for (std::size_t i = 0; i < kSensors; ++i) lookForSpike(i, line);
+        for (std::size_t i = 0; i < kSensors; ++i) detectSpike(i, line);
     beforeThat_ = before_;
     before_ = line;
 }

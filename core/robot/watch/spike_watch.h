@@ -36,8 +36,8 @@ private:
         Measurement measurement;
         SensorReadings readings;
     };
-    void lookForSpike(std::size_t sensor, const Line& line);
-    void lookAtRange(const Measurement& line, const SensorReadings& readings);
+    void detectSpike(std::size_t sensor, const Line& line);
+    void checkRange(const Measurement& line, const SensorReadings& readings);
     void suspect(Sensor sensor, SensorTrouble trouble, double now, double amount);
 
     double currentLimit_;

@@ -33,7 +33,7 @@ public:
               const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground)
         : robot_(robot), ground_(ground), frontTorque_(torqueOf(front)),
           rearTorque_(torqueOf(rear)), line_(lineUnder(robot, terrain, x, ground)),
-          looks_(line_.size())
+          terrainPoints_(line_.size())
     {
     }
 
@@ -51,7 +51,7 @@ public:
     }
 
     /// Returns how many ground points were sampled or compared with a part.
-    std::size_t looks() const { return looks_; }
+    std::size_t terrainPoints() const { return terrainPoints_; }
 
     /// Returns the least height of the base at which no part touches the line.
     double clearHeight(Pose pose) const
@@ -59,7 +59,7 @@ public:
         pose.base.z = 0.0;
         const RobotShape shape = shapeAt(robot_, pose);
         double height = -1e9;
-        looks_ += line_.size();
+        terrainPoints_ += line_.size();
         for (const Vec2 p : line_) {
             const double lower = lowerEnvelope(shape, p.x);
             if (std::isfinite(lower)) height = std::max(height, p.z - lower);
@@ -121,7 +121,7 @@ private:
                     {kind, point, {-force * hit.normal.x, -force * hit.normal.z}, hit.depth});
         };
         const auto touch = [&](GroundContact::Part kind, const auto& part) {
-            looks_ +=
+            terrainPoints_ +=
                 forEachHit(line_, part, [&](Vec2 p, const Penetration& hit) { add(kind, p, hit); });
         };
         touch(GroundContact::Part::Track, SkinHull(shape.track, ground_.skin));
@@ -137,7 +137,7 @@ private:
     double frontTorque_;
     double rearTorque_;
     std::vector<Vec2> line_;
-    mutable std::size_t looks_;
+    mutable std::size_t terrainPoints_;
 };
 
 /// The plane's problem for NewtonDescent. The Hessian is the difference of analytic gradients.
@@ -217,7 +217,7 @@ RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pos
     rest.energy = potential(pose, ground.stiffness, &g, &rest.contacts);
     rest.frontTorque = torqueOf(front) - g[kFront];
     rest.rearTorque = torqueOf(rear) - g[kRear];
-    rest.terrainPoints = potential.looks();
+    rest.terrainPoints = potential.terrainPoints();
     return rest;
 }
 

@@ -102,7 +102,7 @@ TwoTrackPotential::TwoTrackPotential(const RobotModel& robot, const GroundLines&
         lines_[2 + indexOf(side)] =
             &flipper == &track ? trackLine : flipper.sampled(x - reach, x + reach, ground.spacing);
     }
-    for (const auto& line : lines_) looks_ += line.size();
+    for (const auto& line : lines_) terrainPoints_ += line.size();
 }
 
 const std::vector<Vec2>& TwoTrackPotential::trackLine(Side side) const
@@ -220,7 +220,7 @@ double TwoTrackPotential::addSkin(Part& part, const Hull& hull, const std::vecto
                                   double stiffness, std::vector<GroundContact>* contacts) const
 {
     double energy = 0.0;
-    looks_ += forEachHit(line, hull, [&](Vec2 point, const Penetration& hit) {
+    terrainPoints_ += forEachHit(line, hull, [&](Vec2 point, const Penetration& hit) {
         const SkinSpring spring = skinSpring(hit.depth, stiffness, ground_);
         energy += spring.energy;
         part.forces.addSpring(spring, point, hit);
@@ -238,7 +238,7 @@ double TwoTrackPotential::clearHeight(TwoTrackPose pose) const
     pose.base.z = 0.0;
     double height = -1e9;
     const auto clear = [&](const auto& part, const std::vector<Vec2>& line) {
-        looks_ += line.size();
+        terrainPoints_ += line.size();
         for (const Vec2 p : line) {
             const double lower = lowerBoundary(part, p.x);
             if (std::isfinite(lower)) height = std::max(height, p.z - lower);

@@ -50,7 +50,7 @@ public:
     double clearHeight(TwoTrackPose pose) const;
 
     /// Returns how many ground points were sampled or compared with a part.
-    std::size_t looks() const { return looks_; }
+    std::size_t terrainPoints() const { return terrainPoints_; }
 
 private:
     struct SideSum;
@@ -72,7 +72,7 @@ private:
     PerFlipper<double> torques_{};
     GroundOptions ground_;                    ///< of one side
     std::array<std::vector<Vec2>, 4> lines_;  ///< tracks left and right, flippers left and right
-    mutable std::size_t looks_ = 0;
+    mutable std::size_t terrainPoints_ = 0;
 };
 
 }  // namespace terratact

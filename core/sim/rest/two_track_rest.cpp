@@ -186,7 +186,7 @@ private:
         setTorques(Flipper::FrontLeft, Flipper::FrontRight, Axis::FrontMean, Axis::FrontHalf);
         setTorques(Flipper::RearLeft, Flipper::RearRight, Axis::RearMean, Axis::RearHalf);
         rest_.iterations += descent.iterations();
-        rest_.terrainPoints += potential.looks();
+        rest_.terrainPoints += potential.terrainPoints();
     }
 
     /// Holds pressed flippers that found no ground. One that gave way is not pressed by choice, and

@@ -293,7 +293,7 @@ void expectRepeated(SessionReader& session)
         probedBefore += row.role == EstimateRole::First && !row.readings.empty() ? 1 : 0;
         afterAProbe += remembersAProbe(*session.scene(row.scene)) ? 1 : 0;
         const Measurement& scene = session.scene(row.scene)->measurement;
-        EXPECT_EQ(differencesBetween(*before, *again, absolem(), scene, row.stepLimit).likeness,
+        EXPECT_EQ(differencesBetween(*before, *again, absolem(), scene, row.stepLimit).match,
                   Match::Identical)
             << row.id;
         if (settings.method != Method::Trail) continue;

@@ -107,11 +107,11 @@ TEST(SessionReruns, failsOnlyIfNothingExplainsADifference)
 {
     Rerun rerun;
     rerun.asRecorded = true;
-    rerun.differences.likeness = Match::Other;
+    rerun.differences.match = Match::Other;
     EXPECT_TRUE(rerun.failed());
-    rerun.differences.likeness = Match::LastBits;
+    rerun.differences.match = Match::LastBits;
     EXPECT_FALSE(rerun.failed());
-    rerun.differences.likeness = Match::Other;
+    rerun.differences.match = Match::Other;
     rerun.row.estimate.side[0].ending = Ending::Time;
     EXPECT_FALSE(rerun.failed()) << "time ended the recorded sampling";
     rerun.row.estimate.side[0].ending = {};

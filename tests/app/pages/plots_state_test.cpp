@@ -76,13 +76,13 @@ TEST(PlotsState, theTimeUnderReviewStaysInSight)
     PlotsState state;
     state.setEnds(0.0, 100.0);
     state.show(10.0, 20.0);
-    state.keepInSight(15.0);
-    state.keepInSight(20.5);
+    state.keepInView(15.0);
+    state.keepInView(20.5);
     EXPECT_LT(state.from(), 20.5);
     EXPECT_GT(state.to(), 20.5);
     EXPECT_NEAR(state.to() - state.from(), 10.0, 1e-9);
     state.show(50.0, 60.0);
-    state.keepInSight(21.0);
+    state.keepInView(21.0);
     EXPECT_EQ(state.from(), 50.0) << "it was not in sight: the operator looks elsewhere";
 }
 

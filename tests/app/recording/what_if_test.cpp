@@ -25,7 +25,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         const Measurement& scene = reader.scene(row.scene)->measurement;
         const Differences same =
             differencesBetween(*before, *again, *robotOf(reader), scene, row.stepLimit);
-        EXPECT_EQ(same.likeness, Match::Identical) << row.id;
+        EXPECT_EQ(same.match, Match::Identical) << row.id;
         EXPECT_EQ(same.largest(), 0.0);
         EXPECT_EQ(same.before, same.after);
 
@@ -33,9 +33,8 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         other.seed += 1;
         const auto moved = estimateAgain(reader, row, *models, other);
         ASSERT_TRUE(moved);
-        EXPECT_EQ(
-            differencesBetween(*before, *moved, *robotOf(reader), scene, row.stepLimit).likeness,
-            Match::Other);
+        EXPECT_EQ(differencesBetween(*before, *moved, *robotOf(reader), scene, row.stepLimit).match,
+                  Match::Other);
     }
 }
 
@@ -84,11 +83,11 @@ TEST(Differences, distinguishesBitsThatCompareEqual)
     TerrainEstimate minus = zero;
     minus.mean[3] = -0.0;
     ASSERT_EQ(zero, minus);
-    const auto likeness = [&](const TerrainEstimate& other) {
-        return differencesBetween(equalSides(zero), equalSides(other), {}, {}, 0.1).likeness;
+    const auto match = [&](const TerrainEstimate& other) {
+        return differencesBetween(equalSides(zero), equalSides(other), {}, {}, 0.1).match;
     };
-    EXPECT_EQ(likeness(zero), Match::Identical);
-    EXPECT_EQ(likeness(minus), Match::LastBits);
+    EXPECT_EQ(match(zero), Match::Identical);
+    EXPECT_EQ(match(minus), Match::LastBits);
     TerrainEstimate moved = zero;
     moved.height[8] += 0.02;
     moved.height[2] -= 0.05;
@@ -96,7 +95,7 @@ TEST(Differences, distinguishesBitsThatCompareEqual)
     EXPECT_EQ(d.largestBin, 2);
     EXPECT_NEAR(d.largest(), 0.05, 1e-12);
     EXPECT_NEAR(d.side[1][8].height, 0.02, 1e-12);
-    EXPECT_EQ(d.likeness, Match::Other);
+    EXPECT_EQ(d.match, Match::Other);
 }
 
 TEST(Differences, areJudgedOnBothSides)
@@ -106,19 +105,19 @@ TEST(Differences, areJudgedOnBothSides)
     const TwoTrackEstimate plane = equalSides(drawn);
     TwoTrackEstimate sides = plane;
     sides.onePlane = false;
-    EXPECT_EQ(differencesBetween(plane, sides, {}, {}, 0.1).likeness, Match::Other);
-    EXPECT_EQ(differencesBetween(sides, sides, {}, {}, 0.1).likeness, Match::Identical);
+    EXPECT_EQ(differencesBetween(plane, sides, {}, {}, 0.1).match, Match::Other);
+    EXPECT_EQ(differencesBetween(sides, sides, {}, {}, 0.1).match, Match::Identical);
     TwoTrackEstimate moved = sides;
     moved.side[1].height[4] += 0.03;
     const Differences d = differencesBetween(sides, moved, {}, {}, 0.1);
-    EXPECT_EQ(d.likeness, Match::Other);
+    EXPECT_EQ(d.match, Match::Other);
     EXPECT_FALSE(d.onePlane);
     EXPECT_EQ(d.largestSide, 1U);
     EXPECT_EQ(d.largestBin, 4);
     EXPECT_NEAR(d.largest(), 0.03, 1e-12);
     moved = sides;
     moved.side[1].mean[4] += 1e-9;
-    EXPECT_EQ(differencesBetween(sides, moved, {}, {}, 0.1).likeness, Match::LastBits);
+    EXPECT_EQ(differencesBetween(sides, moved, {}, {}, 0.1).match, Match::LastBits);
 }
 
 TEST(Differences, countTouchSensorsAndContradiction)
@@ -127,7 +126,7 @@ TEST(Differences, countTouchSensorsAndContradiction)
     const auto likenessAfter = [&](const auto& change) {
         TwoTrackEstimate other = equalSides(recorded);
         change(other.side[1]);
-        return differencesBetween(equalSides(recorded), other, {}, {}, 0.1).likeness;
+        return differencesBetween(equalSides(recorded), other, {}, {}, 0.1).match;
     };
     using Estimate = TerrainEstimate;
     EXPECT_EQ(likenessAfter([](Estimate&) {}), Match::Identical);
@@ -147,7 +146,7 @@ TEST(Differences, leaveOutATouchThatIsNotRecorded)
     TerrainEstimate felt = now;
     felt.feltTo = 0.5;
     const Differences d = differencesBetween(equalSides(old), equalSides(felt), {}, {}, 0.1);
-    EXPECT_EQ(d.likeness, Match::Identical);
+    EXPECT_EQ(d.match, Match::Identical);
     EXPECT_FALSE(d.before.side[0].touchRecorded);
 }
 
@@ -161,7 +160,7 @@ TEST(Differences, countTheVerdict)
     const Differences d = differencesBetween(equalSides(clear), equalSides(strict), {}, scene, 0.1);
     ASSERT_EQ(d.before.both, StepVerdict::Clear);
     ASSERT_EQ(d.after.both, StepVerdict::CannotTell);
-    EXPECT_EQ(d.likeness, Match::Other) << "the numbers are the same, the answer is not";
+    EXPECT_EQ(d.match, Match::Other) << "the numbers are the same, the answer is not";
 }
 
 TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
@@ -172,7 +171,7 @@ TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
     const auto likenessAfter = [&](const auto& change) {
         TerrainEstimate other = recorded;
         change(other);
-        return differencesBetween(equalSides(recorded), equalSides(other), {}, {}, 0.1).likeness;
+        return differencesBetween(equalSides(recorded), equalSides(other), {}, {}, 0.1).match;
     };
     using Estimate = TerrainEstimate;
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Match::LastBits);

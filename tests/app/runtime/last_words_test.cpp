@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void failIn(void (*work)())
 {
-    sayWhyOnTerminate("terratact-console");
+    printFailureOnTerminate("terratact-console");
     std::thread(work).join();
     std::abort();
 }

@@ -33,7 +33,7 @@ struct RemoteStopTo : testing::Test {
         RemoteStop stop;
         qunsetenv(kStopLineVariable);
         std::string said;
-        QObject::connect(&stop, &RemoteStop::said,
+        QObject::connect(&stop, &RemoteStop::reported,
                          [&said](const Message& text) { said = text.english(); });
         stop.press();
         return said;

@@ -51,7 +51,7 @@ TEST(PosteriorCheck, tiltedGroundContradictsALevelPitch)
     writePosteriorCheck(e, levelReadings(), checkedRobot());
     EXPECT_TRUE(e.contradicts);
     ASSERT_EQ(e.warnings.size(), 1U);
-    EXPECT_TRUE(sayContradiction(e.warnings));
+    EXPECT_TRUE(haveContradiction(e.warnings));
     EXPECT_NE(e.warnings[0].english().find("pitch +0° measured, +17° on its ground"),
               std::string::npos)
         << e.warnings[0].english();
@@ -123,7 +123,7 @@ TEST(TwoTrackCheck, levelGroundContradictsARoll)
     writePosteriorCheck(e, measurementOf(s), checkedRobot());
     for (const TerrainEstimate& side : e.side) {
         EXPECT_TRUE(side.contradicts);
-        EXPECT_TRUE(sayContradiction(side.warnings));
+        EXPECT_TRUE(haveContradiction(side.warnings));
     }
     EXPECT_NE(e.side[0].warnings[0].english().find("roll +12°"), std::string::npos)
         << e.side[0].warnings[0].english();

@@ -235,7 +235,7 @@ TEST_F(StripLedgerDrive, aContactIsThatOfTheReadingsNotOfTheEstimate)
     ASSERT_NE(contact, touches.end());
     EXPECT_LT(contact->felt, 0.0) << "below the IMU, whatever the estimate says";
     EXPECT_NEAR(contact->feltSd, 0.02, 1e-12);
-    EXPECT_NEAR(contact->said.height, -0.25, 0.01);
+    EXPECT_NEAR(contact->predicted.height, -0.25, 0.01);
 }
 
 TEST_F(StripLedgerDrive, theTracksDoNotScoreTheFlippersLine)

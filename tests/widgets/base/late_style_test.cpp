@@ -34,7 +34,7 @@ protected:
 struct LateStyle : testing::Test {
     void SetUp() override
     {
-        tellHiddenAreasLate(*qApp);
+        restyleHiddenAreasLate(*qApp);
         area->resize(60, 60);
         area->show();
         area->hide();

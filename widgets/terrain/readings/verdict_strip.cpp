@@ -360,7 +360,7 @@ void VerdictStrip::setTwoTracks(const TwoTrackVerdict& verdict, const QString& p
     QStringList tip{sides, probability, whyText(verdict, false), probe};
     tip.removeAll(QString());
     setTip(*reason_, tip.join(QLatin1Char('\n')));
-    say(badgeOf(verdict), wordOf(verdict.both), withheld);
+    setAnswer(badgeOf(verdict), wordOf(verdict.both), withheld);
     fitSides();
     if (isNew && ofSides) announce(*question_);
 }
@@ -382,7 +382,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     if (isBrief) tip << whyOf(verdict);
     for (const WithholdReason reason : verdict.withheldFor) tip << translated(describe(reason));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
-    say(badgeOf(verdict), wordOf(verdict.stepVerdict), isWithheld);
+    setAnswer(badgeOf(verdict), wordOf(verdict.stepVerdict), isWithheld);
 }
 
 void VerdictStrip::setNothing(const QString& why)
@@ -393,11 +393,11 @@ void VerdictStrip::setNothing(const QString& why)
     setTone(*reason_, Tone::Muted);
     reason_->setText(why);
     setTip(*reason_, QString());
-    say(tr("NO VERDICT"), QStringLiteral("none"), false);
+    setAnswer(tr("NO VERDICT"), QStringLiteral("none"), false);
 }
 
 /// Announces changes after all labels are set.
-void VerdictStrip::say(const QString& answer, const QString& stepVerdict, bool withheld)
+void VerdictStrip::setAnswer(const QString& answer, const QString& stepVerdict, bool withheld)
 {
     badge_->setText(answer);
     if (badge_->property("answer").toString() != stepVerdict) {

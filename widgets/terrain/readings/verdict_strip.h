@@ -56,7 +56,7 @@ private:
     void resizeToFont();
     void choose(double metres);
     void setTwoTracks(const TwoTrackVerdict& verdict, const QString& probe);
-    void say(const QString& answer, const QString& stepVerdict, bool withheld);
+    void setAnswer(const QString& answer, const QString& stepVerdict, bool withheld);
     void nameQuestion(bool isOfSides);
     void fitSides();  ///< shortens the line of both sides to the room
 

@@ -38,7 +38,7 @@ BusOffer downBus()
 struct ConnectBench : testing::Test {
     ConnectBench()
         : window({.inUse = "SIMULATED ROBOT",
-                  .look = [this](const std::stop_token&) { return offers; },
+                  .search = [this](const std::stop_token&) { return offers; },
                   .whyNot = [this] { return whyNot; },
                   .sessions = "/sessions"})
     {
@@ -52,7 +52,7 @@ struct ConnectBench : testing::Test {
     }
     bool isListed() const
     {
-        return eventually([&] { return window.lookButton()->isEnabled(); });
+        return eventually([&] { return window.searchButton()->isEnabled(); });
     }
     void choose(int row) { window.list()->setCurrentRow(row); }
     /// Chooses the bus of a row and allows this console to send commands on it.
@@ -81,7 +81,7 @@ TEST_F(ConnectBench, listsEverySourceAndWhatMendsIt)
     EXPECT_FALSE(window.connectButton()->isEnabled());
     EXPECT_EQ(window.result(), "This interface cannot be used: mend it first, then look again");
     offers[1].findings = goodBus().findings;
-    QTest::keyClick(window.lookButton(), Qt::Key_Space);
+    QTest::keyClick(window.searchButton(), Qt::Key_Space);
     EXPECT_TRUE(eventually([&] { return window.connectButton()->isEnabled(); }))
         << "the line stays chosen";
 }
@@ -91,10 +91,10 @@ TEST_F(ConnectBench, namesTheFolderOfRecordingsIfThereIsOne)
     choose(window.list()->count() - 1);
     EXPECT_EQ(window.facts(), "Recordings of this console (.tts), in /sessions");
     ConnectWindow homeless({.inUse = "SIMULATED ROBOT",
-                            .look = [this](const std::stop_token&) { return offers; },
+                            .search = [this](const std::stop_token&) { return offers; },
                             .whyNot = [this] { return whyNot; }});
     gui::showActive(homeless);
-    ASSERT_TRUE(eventually([&] { return homeless.lookButton()->isEnabled(); }));
+    ASSERT_TRUE(eventually([&] { return homeless.searchButton()->isEnabled(); }));
     homeless.list()->setCurrentRow(homeless.list()->count() - 1);
     EXPECT_EQ(homeless.facts(), "Recordings of this console (.tts)");
 }
@@ -102,13 +102,13 @@ TEST_F(ConnectBench, namesTheFolderOfRecordingsIfThereIsOne)
 TEST_F(ConnectBench, thePermissionToSendIsForOneBus)
 {
     offers[1].findings = goodBus().findings;
-    window.lookAgain();
+    window.searchAgain();
     ASSERT_TRUE(isListed());
     allow(1);
     choose(2);
     EXPECT_FALSE(window.transmitBox()->isChecked()) << "another bus";
     window.transmitBox()->setChecked(true);
-    window.lookButton()->click();
+    window.searchButton()->click();
     EXPECT_FALSE(window.transmitBox()->isChecked()) << "another look";
     ASSERT_TRUE(isListed());
     allow(2);
@@ -126,7 +126,7 @@ TEST_F(ConnectBench, keepsTheBusByItsNameAfterAnotherLook)
 {
     choose(1);
     offers.insert(offers.begin(), {"a0", goodBus().findings});
-    window.lookAgain();
+    window.searchAgain();
     EXPECT_FALSE(window.connectButton()->isEnabled()) << "not before it is found again";
     ASSERT_TRUE(isListed());
     EXPECT_EQ(window.list()->currentRow(), 2);
@@ -134,7 +134,7 @@ TEST_F(ConnectBench, keepsTheBusByItsNameAfterAnotherLook)
     ASSERT_EQ(wishes.size(), 1U);
     EXPECT_EQ(wishes[0].can, "can0");
     offers.erase(offers.begin() + 1);
-    window.lookAgain();
+    window.searchAgain();
     ASSERT_TRUE(isListed());
     EXPECT_EQ(window.list()->currentRow(), -1) << "no other bus in its place";
     EXPECT_FALSE(window.connectButton()->isEnabled());
@@ -147,7 +147,7 @@ TEST(ConnectWindow, staysUsableWhileItLooks)
     std::promise<void> go;
     bool wasLetGo = false;
     ConnectWindow::Options options;
-    options.look = [&, gone = go.get_future().share()](const std::stop_token&) {
+    options.search = [&, gone = go.get_future().share()](const std::stop_token&) {
         wasLetGo = gone.wait_for(kLong) == std::future_status::ready;
         return std::vector<BusOffer>{goodBus()};
     };
@@ -155,13 +155,13 @@ TEST(ConnectWindow, staysUsableWhileItLooks)
     gui::showActive(window);
     ASSERT_EQ(window.list()->count(), 4);
     EXPECT_EQ(window.list()->item(1)->text(), "Looking for CAN buses …");
-    EXPECT_FALSE(window.lookButton()->isEnabled());
+    EXPECT_FALSE(window.searchButton()->isEnabled());
     EXPECT_TRUE(window.connectButton()->isEnabled()) << "to the simulated robot";
     window.list()->setCurrentRow(1);
     EXPECT_FALSE(window.connectButton()->isEnabled());
     window.list()->setCurrentRow(3);
     go.set_value();
-    EXPECT_TRUE(eventually([&] { return window.lookButton()->isEnabled(); }));
+    EXPECT_TRUE(eventually([&] { return window.searchButton()->isEnabled(); }));
     EXPECT_TRUE(wasLetGo) << "the window did not wait for it";
     EXPECT_EQ(window.list()->item(1)->text(), "CAN bus can0 — can be used");
     EXPECT_EQ(window.list()->currentRow(), 3) << "the session stays chosen";
