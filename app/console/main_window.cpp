@@ -109,7 +109,7 @@ MainWindow::~MainWindow()
 void MainWindow::build(const Options& options)
 {
     header()->setSource(format::sourceName(source_->name()));
-    header()->setModel(tr("model loading …"), Tone::Doubt);
+    header()->setModel(tr("model loading …"), Tone::Warning);
     sharedStop_ = std::make_unique<SharedStop>(*exploration_);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
     notice_ = std::make_unique<ShortNotice>(*addBanner());

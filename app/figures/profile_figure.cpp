@@ -23,7 +23,7 @@ constexpr double kProbeRoom = 50.0;  // [px] above all bars for the text "probe 
 
 constexpr Colour kWhite{0xffffff};
 constexpr Colour kSampled{0x12804a}, kContact{0x1558a6}, kArm{0x6a1b9a}, kPrior{0xb06400},
-    kDoubt{0x8f5200};
+    kWarning{0x8f5200};
 constexpr Colour kPriorZone{0xfff4d2}, kTruth{0xd32f2f}, kPrevious{0x7fa8cc};
 
 struct Look {
@@ -149,13 +149,14 @@ private:
                                      name(e.settings.method), e.draws.size(), e.settings.chains});
         canvas_.text({24.0, 62.0}, how, plain);
         if (e.warnings.empty() && e.converged) return;
-        const TextStyle doubt{.colour = kDoubt, .size = 14.0, .bold = true};
+        const TextStyle warning{.colour = kWarning, .size = 14.0, .bold = true};
         const double from = 24.0 + canvas_.textWidth(how, plain) + 18.0;
-        canvas_.text({from, 62.0}, canvas_.fitted(doubts(), kPlotRight - from, doubt), doubt);
+        canvas_.text({from, 62.0}, canvas_.fitted(warningText(), kPlotRight - from, warning),
+                     warning);
     }
 
     /// Returns the warnings in one line: the first in full, then the number of others.
-    std::string doubts() const
+    std::string warningText() const
     {
         const auto& warnings = input_.estimate.warnings;
         if (warnings.empty()) return say(TR_NOOP("Report", "! not converged"));

@@ -29,7 +29,7 @@ Message stepText(const Verdict& verdict, double limit)
 }
 
 /// Adds what keeps the verdict open: bins that are bounded or not felt, and reasons to withhold it.
-void addDoubts(std::vector<Message>& parts, const Verdict& verdict)
+void addWithholdReasons(std::vector<Message>& parts, const Verdict& verdict)
 {
     if (!verdict.bounded.empty())
         parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "bounded: %1"),
@@ -53,7 +53,7 @@ Message robotStepText(const TwoTrackVerdict& verdict, double limit)
 Message sideText(SourceText side, const Verdict& verdict, double limit)
 {
     std::vector<Message> parts{stepVerdictMessage(verdict), stepText(verdict, limit)};
-    addDoubts(parts, verdict);
+    addWithholdReasons(parts, verdict);
     return {side, Message::listed(std::move(parts), ", ")};
 }
 
@@ -63,7 +63,7 @@ void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, dou
     if (verdict.onePlane) {
         parts.push_back(stepVerdictMessage(left));
         parts.push_back(stepText(left, limit));
-        return addDoubts(parts, left);
+        return addWithholdReasons(parts, left);
     }
     parts.emplace_back(describe(verdict.both));
     parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "either side: %1"),

@@ -106,7 +106,7 @@ void DbcFiles::addLines(QVBoxLayout& column)
     }
     files_->setAccessibleName(DbcFilesText::tr("DBC files"));
     troubles_->setAccessibleName(DbcFilesText::tr("Faults of the DBC files"));
-    setTone(*troubles_, Tone::Doubt);
+    setTone(*troubles_, Tone::Warning);
 }
 
 /// Reads in another thread, because a large file takes longer than an armed robot's dead-man timeout.

@@ -126,7 +126,7 @@ private:
         auto series = readSeries(recording, mapping_, robot_);
         if (!series) return series.error();
         report_.remarks = series->remarks;
-        for (std::string& doubt : importDoubts(*series, mapping_))
+        for (std::string& doubt : importWarnings(*series, mapping_))
             report_.remarks.push_back(std::move(doubt));
         const std::vector<TelemetryLine> lines = telemetryLines(*series, mapping_);
         countLeftOut(series->series(Quantity::Pitch), lines.size());

@@ -54,7 +54,7 @@ void ReviewDisplay::showLink(const ReviewMoment& moment)
                                    format::age(age)),
                                Tone::Bad);
     else
-        places_.header.setLink(tr("no telemetry"), Tone::Doubt);
+        places_.header.setLink(tr("no telemetry"), Tone::Warning);
 }
 
 void ReviewDisplay::showHeader(const ReviewMoment& moment)
@@ -69,7 +69,7 @@ void ReviewDisplay::showHeader(const ReviewMoment& moment)
         header.setModel(tr("model %1").arg(format::shownName(moment.model->name)), Tone::Plain,
                         format::text(moment.model->details));
     else
-        header.setModel(tr("no model"), Tone::Doubt);
+        header.setModel(tr("no model"), Tone::Warning);
     header.setOverridden(translatedLine(moment.overridden));
     const auto unseen =
         std::count_if(moment.alarms.begin(), moment.alarms.end(),

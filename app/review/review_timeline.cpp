@@ -56,20 +56,20 @@ void addRows(Timeline& timeline, const SessionReader& session)
 {
     for (const SceneRow& row : session.scenes())
         laneOf(timeline, ReviewLane::Scenes).marks << TimelineMark{
-            secondsOf(row.time), TimelineWeight::Plain, ReviewWords::tr("scene %1").arg(row.id)};
+            secondsOf(row.time), TimelineSeverity::Plain, ReviewWords::tr("scene %1").arg(row.id)};
     for (const EstimateRow& row : session.estimates())
         laneOf(timeline, ReviewLane::Estimates).marks
             << TimelineMark{secondsOf(row.time),
                             row.estimate.side[0].converged && row.estimate.side[1].converged
-                                ? TimelineWeight::Good
-                                : TimelineWeight::Doubt,
+                                ? TimelineSeverity::Good
+                                : TimelineSeverity::Warning,
                             ReviewWords::tr("estimate %1 of scene %2, %3")
                                 .arg(row.id)
                                 .arg(row.scene)
                                 .arg(format::text(name(row.estimate.side[0].settings.method)))};
     for (const ProposalRow& row : session.proposals())
         laneOf(timeline, ReviewLane::Probes).marks
-            << TimelineMark{secondsOf(row.time), TimelineWeight::Doubt,
+            << TimelineMark{secondsOf(row.time), TimelineSeverity::Warning,
                             ReviewWords::tr("probe proposed at %1").arg(format::binName(row.bin))};
 }
 
@@ -102,14 +102,14 @@ private:
     void begin(const EstimateRow& row)
     {
         if (!estimates_.has("estimate"))
-            estimates_.begin("estimate", {secondsOf(row.time), 0.0, TimelineWeight::Plain,
+            estimates_.begin("estimate", {secondsOf(row.time), 0.0, TimelineSeverity::Plain,
                                           ReviewWords::tr("an estimate stands")});
     }
 
-    void mark(ReviewLane lane, const EventRow& event, TimelineWeight weight)
+    void mark(ReviewLane lane, const EventRow& event, TimelineSeverity severity)
     {
         laneOf(timeline_, lane).marks
-            << TimelineMark{secondsOf(event.time), weight, sentenceOf(event)};
+            << TimelineMark{secondsOf(event.time), severity, sentenceOf(event)};
     }
 
     void add(const EventRow& event)
@@ -119,7 +119,7 @@ private:
         case EventKind::Link:
             link_.begin("link",
                         {at, at,
-                         event.subject == kLinkUp ? TimelineWeight::Good : TimelineWeight::Bad,
+                         event.subject == kLinkUp ? TimelineSeverity::Good : TimelineSeverity::Bad,
                          sentenceOf(event)});
             break;
         case EventKind::Forgotten: estimates_.end("estimate", at); break;
@@ -128,20 +128,22 @@ private:
             // A continued file starts with the alarms that were active; one that was already open adds no mark.
             if (const double state = event.number.value_or(0.0);
                 state == 3.0 || (state == 2.0 && !alarms_.has(event.subject)))
-                alarms_.begin(event.subject, {at, at, TimelineWeight::Bad, sentenceOf(event)});
+                alarms_.begin(event.subject, {at, at, TimelineSeverity::Bad, sentenceOf(event)});
             else if (event.number.value_or(0.0) != 2.0)
                 alarms_.end(event.subject, at);
             break;
-        case EventKind::Decision: mark(ReviewLane::Operator, event, TimelineWeight::Accent); break;
+        case EventKind::Decision:
+            mark(ReviewLane::Operator, event, TimelineSeverity::Accent);
+            break;
         case EventKind::TelemetryGap:
-            mark(ReviewLane::Estimates, event, TimelineWeight::Doubt);
+            mark(ReviewLane::Estimates, event, TimelineSeverity::Warning);
             break;
         case EventKind::Override:
         case EventKind::Panel:
-        case EventKind::Arming: mark(ReviewLane::Operator, event, TimelineWeight::Plain); break;
-        case EventKind::Marker: mark(ReviewLane::Markers, event, TimelineWeight::Accent); break;
-        case EventKind::Gap: mark(ReviewLane::Link, event, TimelineWeight::Bad); break;
-        case EventKind::Session: mark(ReviewLane::Markers, event, TimelineWeight::Plain); break;
+        case EventKind::Arming: mark(ReviewLane::Operator, event, TimelineSeverity::Plain); break;
+        case EventKind::Marker: mark(ReviewLane::Markers, event, TimelineSeverity::Accent); break;
+        case EventKind::Gap: mark(ReviewLane::Link, event, TimelineSeverity::Bad); break;
+        case EventKind::Session: mark(ReviewLane::Markers, event, TimelineSeverity::Plain); break;
         case EventKind::Word: break;
         }
     }
@@ -151,12 +153,13 @@ private:
         const auto phase = phaseOf(event);
         probes_.end("probe", at);
         if (phase == AtemPhase::ProposingProbe)
-            probes_.begin("probe", {at, at, TimelineWeight::Doubt, sentenceOf(event)});
+            probes_.begin("probe", {at, at, TimelineSeverity::Warning, sentenceOf(event)});
         if (phase == AtemPhase::Probing)
-            probes_.begin("probe", {at, at, TimelineWeight::Accent, sentenceOf(event)});
-        if (phase == AtemPhase::Advancing) mark(ReviewLane::Operator, event, TimelineWeight::Good);
+            probes_.begin("probe", {at, at, TimelineSeverity::Accent, sentenceOf(event)});
+        if (phase == AtemPhase::Advancing)
+            mark(ReviewLane::Operator, event, TimelineSeverity::Good);
         if (phase == AtemPhase::Stopped || phase == AtemPhase::Failed)
-            mark(ReviewLane::Operator, event, TimelineWeight::Bad);
+            mark(ReviewLane::Operator, event, TimelineSeverity::Bad);
     }
 
     Timeline& timeline_;
@@ -167,15 +170,15 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
 {
     for (const SessionSpan& span : surveyed.contacts)
         laneOf(timeline, ReviewLane::Contact).spans
-            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineWeight::Plain,
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineSeverity::Plain,
                             ReviewWords::tr("a force element is in contact")};
     for (const SessionSpan& span : surveyed.silences)
         laneOf(timeline, ReviewLane::Link).spans
-            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineWeight::Bad,
+            << TimelineSpan{secondsOf(span.first), secondsOf(span.last), TimelineSeverity::Bad,
                             ReviewWords::tr("no telemetry came")};
     for (const SessionDamage& damage : surveyed.damage)
         timeline.gaps << TimelineSpan{
-            secondsOf(damage.first), secondsOf(damage.last), TimelineWeight::Bad,
+            secondsOf(damage.first), secondsOf(damage.last), TimelineSeverity::Bad,
             ReviewWords::tr("DAMAGED, not shown: %1").arg(translated(damage.why))};
 }
 
@@ -284,7 +287,7 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
     addSurvey(timeline, surveyed);
     for (const ReviewNote& note : notes)
         laneOf(timeline, ReviewLane::Markers).marks
-            << TimelineMark{note.time, TimelineWeight::Good, format::line(note.text)};
+            << TimelineMark{note.time, TimelineSeverity::Good, format::line(note.text)};
     return timeline;
 }
 

@@ -79,7 +79,7 @@ ScenesWindow::ScenesWindow(Options options)
     const QString name = format::fileName(options_.path);
     setWindowTitle(tr("SCENES — %1 — Terratact").arg(name));
     header()->setSource(tr("SCENES OF A FILE"));
-    header()->setModel(tr("model loading …"), Tone::Doubt);
+    header()->setModel(tr("model loading …"), Tone::Warning);
     for (QWidget* const unused : std::initializer_list<QWidget*>{
              header()->arming(), header()->qualityButton(), header()->alarmsButton()})
         unused->hide();

@@ -236,7 +236,7 @@ void WhatIfPage::asRecorded()
     row.name = recordedModel_.toStdString();
     row.hash = recordedHash_.toStdString();
     const auto found = modelFileOf(row, paths);
-    if (!found) return showStatus(translated(found.error().message), Tone::Doubt);
+    if (!found) return showStatus(translated(found.error().message), Tone::Warning);
     model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
 }
 
@@ -333,7 +333,7 @@ void WhatIfPage::showAnswer()
         text = tr("A time limit ended the recorded sampling, so it cannot be repeated bit for bit: "
                   "%1 at most, at bin %2.")
                    .arg(format::length(found.largest(), 3), placeName(found));
-        tone = Tone::Doubt;
+        tone = Tone::Warning;
     } else if (asRecorded) {
         text = tr("The recorded settings and model do NOT reproduce the recorded estimate: %1 at "
                   "most, at bin %2.")

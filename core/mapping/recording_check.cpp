@@ -300,7 +300,7 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
     return findings;
 }
 
-std::vector<std::string> importDoubts(const RecordedSeries& series, const Mapping& mapping)
+std::vector<std::string> importWarnings(const RecordedSeries& series, const Mapping& mapping)
 {
     Findings findings;
     for (std::size_t q = 0; q < static_cast<std::size_t>(Quantity::Activity); ++q)

@@ -25,6 +25,6 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
 
 /// Returns those doubts that make the numbers of an import wrong: units of angles, and clocks that
 /// differ from the recorder's.
-std::vector<std::string> importDoubts(const RecordedSeries& series, const Mapping& mapping);
+std::vector<std::string> importWarnings(const RecordedSeries& series, const Mapping& mapping);
 
 }  // namespace terratact

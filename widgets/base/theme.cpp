@@ -131,8 +131,8 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
 
 void setTone(QLabel& label, Tone tone)
 {
-    static constexpr const char* kNames[]{"plain", "muted", "strong", "good",
-                                          "doubt", "bad",   "accent"};
+    static constexpr const char* kNames[]{"plain",   "muted", "strong", "good",
+                                          "warning", "bad",   "accent"};
     const QString wanted = QLatin1String(kNames[static_cast<int>(tone)]);
     if (label.property("tone").toString() == wanted) return;
     label.setProperty("tone", wanted);

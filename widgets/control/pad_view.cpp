@@ -101,7 +101,7 @@ void PadView::draw(QPainter& painter, const PadLine& line, const QRectF& area) c
     using enum PadLine::State;
     const Theme& colours = theme();
     const QColor ink = line.state == On    ? colours.accent
-                     : line.state == Waits ? colours.doubt
+                     : line.state == Waits ? colours.warning
                                            : colours.text;
     const double room = scaled(line.bar ? kBarRoom : kLampRoom);
     if (line.bar) {

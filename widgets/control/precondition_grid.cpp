@@ -39,7 +39,7 @@ void PreconditionGrid::setPreconditions(const QList<Precondition>& preconditions
         reason->setVisible(used);
         if (!used) continue;
         const Precondition& condition = preconditions[row];
-        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
+        static constexpr Tone kTones[]{Tone::Good, Tone::Warning, Tone::Warning, Tone::Bad};
         const QString spoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
         const auto level = static_cast<std::size_t>(condition.level);
         mark->setText(markOf(condition.level));

@@ -54,7 +54,7 @@ void RobotReadout::showAngle(Row row, double angle, AttitudeLevel level)
     if (level == AttitudeLevel::Level) return show(row, value, true);
     const bool isRed = level == AttitudeLevel::Red;
     values_[row]->setText(isRed ? tr("%1 DANGER").arg(value) : tr("%1 STEEP").arg(value));
-    setTone(*values_[row], isRed ? Tone::Bad : Tone::Doubt);
+    setTone(*values_[row], isRed ? Tone::Bad : Tone::Warning);
 }
 
 void RobotReadout::setMeasurement(const Measurement& m, double age, std::optional<double> captured)

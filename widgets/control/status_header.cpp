@@ -132,7 +132,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     model_ = chip(tr("Model"));
     overridden_ = chip(tr("Checks overridden"));
     overridden_->setText(tr("! CHECK OVERRIDDEN"));
-    setTone(*overridden_, Tone::Doubt);
+    setTone(*overridden_, Tone::Warning);
     overridden_->hide();
     bus_ = new QPushButton(this);
     bus_->setFocusPolicy(Qt::TabFocus);
@@ -192,9 +192,9 @@ void StatusHeader::setBus(const QString& text, Tone tone, const QString& details
                           const QString& brief)
 {
     const QString least = tone == Tone::Plain || brief.isEmpty() ? text : brief;
-    setRole(*bus_, tone == Tone::Bad     ? QStringLiteral("alarm")
-                   : tone == Tone::Doubt ? QStringLiteral("caution")
-                                         : QStringLiteral("quiet"));
+    setRole(*bus_, tone == Tone::Bad       ? QStringLiteral("alarm")
+                   : tone == Tone::Warning ? QStringLiteral("caution")
+                                           : QStringLiteral("quiet"));
     if (busText_ != text || busBrief_ != least || busTone_ != tone) {
         busTone_ = tone;
         busText_ = text;
@@ -356,11 +356,11 @@ void StatusHeader::fit()
     const bool trouble = tone == QLatin1String("bad");
     const int model = model_->sizeHint().width() + kBetween;
     // A model that is still loading has priority over the bus load.
-    const int kept = lines_ == 1 && tone == QLatin1String("doubt") ? model : 0;
+    const int kept = lines_ == 1 && tone == QLatin1String("warning") ? model : 0;
     const int forBus = lines_ > 1 ? above : room - kept;
     const int spare = usualUpper() - widthOf({source_, link_, robot_});
     const bool isWanted =
-        busTone_ == Tone::Bad || (busTone_ == Tone::Doubt && forBus + spare >= brief);
+        busTone_ == Tone::Bad || (busTone_ == Tone::Warning && forBus + spare >= brief);
     const bool isBus = !busText_.isEmpty() && (forBus >= std::min(bus, brief) || isWanted);
     showBus(forBus >= bus ? busText_ : busBrief_);
     bus_->setVisible(isBus);

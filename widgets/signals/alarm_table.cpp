@@ -40,7 +40,7 @@ QString stateWords(AlarmState state, Severity severity)
 QColor colourOf(const Alarm& alarm)
 {
     if (alarm.state == AlarmState::Returned) return theme().muted;
-    return alarm.severity == Severity::Critical ? theme().bad : theme().doubt;
+    return alarm.severity == Severity::Critical ? theme().bad : theme().warning;
 }
 
 QString sinceWords(const Alarm& alarm, double now)
@@ -112,7 +112,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     setTone(*soundTrouble_, Tone::Bad);
     silence_ = new PlainLabel(this);
     silence_->setAccessibleName(tr("Mute"));
-    setTone(*silence_, Tone::Doubt);
+    setTone(*silence_, Tone::Warning);
     connect(acknowledge_, &QPushButton::clicked, this, [this] { emit acknowledged(chosen()); });
     connect(table_, &QTableWidget::itemSelectionChanged, this, &AlarmTable::offer);
     connect(table_, &QTableWidget::activated, this, [this] { emit acknowledged(chosen()); });

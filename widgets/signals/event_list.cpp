@@ -12,7 +12,7 @@ QColor colourOf(EventSeverity severity)
 {
     switch (severity) {
     case EventSeverity::Note: return theme().text;
-    case EventSeverity::Warning: return theme().doubt;
+    case EventSeverity::Warning: return theme().warning;
     case EventSeverity::Bad: return theme().bad;
     }
     return theme().text;

@@ -85,7 +85,7 @@ QwtText ElementScale::label(double value) const
         static_cast<std::size_t>(std::clamp(std::lround(value), 0L, kForceElements - 1L));
     if (notes_[index].isEmpty()) return nameOf(static_cast<int>(index) + 1);
     QwtText text(notes_[index]);
-    text.setColor(theme().doubt);
+    text.setColor(theme().warning);
     return text;
 }
 

@@ -20,32 +20,32 @@ namespace {
 
 constexpr double kNear = 5.0;  // [px] distance at which the pointer hits a mark
 
-QColor colourOf(TimelineWeight weight)
+QColor colourOf(TimelineSeverity severity)
 {
-    switch (weight) {
-    case TimelineWeight::Plain: return theme().ceiling;
-    case TimelineWeight::Good: return theme().good;
-    case TimelineWeight::Doubt: return theme().doubt;
-    case TimelineWeight::Bad: return theme().bad;
-    case TimelineWeight::Accent: return theme().accent;
+    switch (severity) {
+    case TimelineSeverity::Plain: return theme().ceiling;
+    case TimelineSeverity::Good: return theme().good;
+    case TimelineSeverity::Warning: return theme().warning;
+    case TimelineSeverity::Bad: return theme().bad;
+    case TimelineSeverity::Accent: return theme().accent;
     }
     return theme().text;
 }
 
-/// Returns the shape of a weight around (x, y): bar, circle, triangle, cross or diamond.
-QPainterPath shapeOf(TimelineWeight weight, double x, double y, double r)
+/// Returns the shape of a severity around (x, y): bar, circle, triangle, cross or diamond.
+QPainterPath shapeOf(TimelineSeverity severity, double x, double y, double r)
 {
     QPainterPath path;
-    switch (weight) {
-    case TimelineWeight::Plain: path.addRect(x - 1.0, y - r, 2.0, 2.0 * r); break;
-    case TimelineWeight::Good: path.addEllipse(QPointF(x, y), 0.8 * r, 0.8 * r); break;
-    case TimelineWeight::Doubt:
+    switch (severity) {
+    case TimelineSeverity::Plain: path.addRect(x - 1.0, y - r, 2.0, 2.0 * r); break;
+    case TimelineSeverity::Good: path.addEllipse(QPointF(x, y), 0.8 * r, 0.8 * r); break;
+    case TimelineSeverity::Warning:
         path.addPolygon(QPolygonF({{x, y - r}, {x + r, y + r}, {x - r, y + r}, {x, y - r}}));
         break;
-    case TimelineWeight::Bad:
+    case TimelineSeverity::Bad:
         path.addPolygon(QPolygonF({{x - r, y - r}, {x + r, y - r}, {x, y + r}, {x - r, y - r}}));
         break;
-    case TimelineWeight::Accent:
+    case TimelineSeverity::Accent:
         path.addPolygon(QPolygonF({{x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, {x, y - r}}));
         break;
     }
@@ -292,10 +292,10 @@ void SessionTimeline::paintLane(QPainter& painter, int index) const
         if (!isSound(span) || span.last < first_ || span.first > last_) continue;
         const double from = std::max(pixelOf(span.first), area.left() - 2.0);
         const double to = std::min(pixelOf(span.last), area.right() + 2.0);
-        QColor colour = colourOf(span.weight);
+        QColor colour = colourOf(span.severity);
         colour.setAlphaF(0.55F);
         // Bad spans are tall and others low, so that colour is not the only cue.
-        const double share = span.weight == TimelineWeight::Bad ? 0.9 : 0.5;
+        const double share = span.severity == TimelineSeverity::Bad ? 0.9 : 0.5;
         painter.fillRect(QRectF(from, top + 0.5 * (1.0 - share) * height, std::max(to - from, 1.5),
                                 share * height),
                          colour);
@@ -304,10 +304,10 @@ void SessionTimeline::paintLane(QPainter& painter, int index) const
     for (const TimelineMark& mark : lane.marks) {
         if (!isTime(mark.time) || mark.time < first_ || mark.time > last_) continue;
         const double x = pixelOf(mark.time);
-        if (std::abs(x - drawn) < 0.5 && mark.weight == TimelineWeight::Plain) continue;
+        if (std::abs(x - drawn) < 0.5 && mark.severity == TimelineSeverity::Plain) continue;
         drawn = x;
-        painter.fillPath(shapeOf(mark.weight, x, top + 0.5 * height, 0.36 * height),
-                         colourOf(mark.weight));
+        painter.fillPath(shapeOf(mark.severity, x, top + 0.5 * height, 0.36 * height),
+                         colourOf(mark.severity));
     }
     painter.restore();
 }
@@ -321,7 +321,7 @@ void SessionTimeline::paintGaps(QPainter& painter) const
         const double to = std::min(pixelOf(gap.last), area.right() + 2.0);
         const QRectF room(from, area.top(), std::max(to - from, 2.0), area.height());
         painter.fillRect(room, theme().window);
-        painter.fillRect(room, QBrush(colourOf(gap.weight), Qt::BDiagPattern));
+        painter.fillRect(room, QBrush(colourOf(gap.severity), Qt::BDiagPattern));
     }
 }
 

@@ -8,12 +8,12 @@
 namespace terratact {
 
 /// Severity of a span or mark; each has its own shape.
-enum class TimelineWeight : std::uint8_t { Plain, Good, Doubt, Bad, Accent };
+enum class TimelineSeverity : std::uint8_t { Plain, Good, Warning, Bad, Accent };
 
 /// Something with a duration [s of the session].
 struct TimelineSpan {
     double first = 0.0, last = 0.0;
-    TimelineWeight weight = TimelineWeight::Plain;
+    TimelineSeverity severity = TimelineSeverity::Plain;
     QString text{};
     bool operator==(const TimelineSpan&) const = default;
 };
@@ -21,7 +21,7 @@ struct TimelineSpan {
 /// Something at one time [s of the session].
 struct TimelineMark {
     double time = 0.0;
-    TimelineWeight weight = TimelineWeight::Plain;
+    TimelineSeverity severity = TimelineSeverity::Plain;
     QString text{};
     bool operator==(const TimelineMark&) const = default;
 };

@@ -72,7 +72,7 @@ QPen secondPen(Qt::PenStyle style)
 
 QPen twoPen()
 {
-    return {theme().doubt, 2.0};
+    return {theme().warning, 2.0};
 }
 
 }  // namespace

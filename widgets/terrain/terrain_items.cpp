@@ -177,7 +177,7 @@ void BinZones::drawWords(QPainter& painter, const QwtScaleMap& x, const QwtScale
     arm_ = arm ? armTipArea(*arm, x, y, canvas) : QRectF();
     words_.clear();
     painter.setFont(sized(plot()->font(), 13));
-    painter.setPen(theme().doubt);
+    painter.setPen(theme().warning);
     for (const Zone& zone : zonesOn(x, canvas)) drawWord(painter, zone, canvas);
     const Unfelt& side = nearest();
     if (!side.horizon) return;
@@ -206,7 +206,7 @@ void BinZones::drawZone(QPainter& painter, const Zone& zone) const
     QColor fill = theme().priorZone;
     fill.setAlpha(isWhole ? 0xc0 : 0x70);
     if (kind.shown() != Touch::Remembered) painter.fillRect(zone.place, fill);
-    QColor hatch = theme().doubt;
+    QColor hatch = theme().warning;
     hatch.setAlpha(isWhole ? 0x60 : 0x30);
     painter.fillRect(zone.place, QBrush(hatch, patternOf(kind.shown())));
 }
@@ -254,7 +254,7 @@ void BinZones::drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRect
     const auto line = [&](const std::optional<double>& horizon, double width) {
         if (!horizon) return;
         const double px = std::round(x.transform(*horizon)) + 0.5;
-        painter.setPen(QPen(theme().doubt, width, Qt::DashLine));
+        painter.setPen(QPen(theme().warning, width, Qt::DashLine));
         painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
     };
     const Unfelt& near = nearest();

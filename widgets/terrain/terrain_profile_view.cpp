@@ -75,7 +75,7 @@ void TerrainProfileView::setContacts(std::vector<ContactPoint> points)
 
 void TerrainProfileView::showNote(const QString& note, bool warns)
 {
-    setLabel(*note_, inked(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));
+    setLabel(*note_, inked(note, warns ? theme().warning : theme().muted, sized(font(), 16, true)));
     arrangeNotes();
 }
 

@@ -77,7 +77,7 @@ void LinkStatus::showLink(const LinkViewState& viewState, double age)
     switch (link.standing) {
     case LinkStanding::Up: break;
     case LinkStanding::Silent: return header_.setLink(sentence(link), Tone::Bad, bus);
-    case LinkStanding::Ended: return header_.setLink(title, Tone::Doubt, bus);
+    case LinkStanding::Ended: return header_.setLink(title, Tone::Warning, bus);
     case LinkStanding::Unsteady: return header_.setLink(title, Tone::Bad, bus);
     case LinkStanding::Lost:
         header_.setLink(link.alive ? tr("back, not steady yet")
@@ -108,7 +108,7 @@ void LinkStatus::showBus(const CanView& view, double now)
     const Tone tone = toneOf(view.bus);
     const bool isDoubtful = droppedLately_ || erredLately_;
     header_.setBus(parts.join(QLatin1Char(' ')),
-                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view),
+                   tone == Tone::Plain && isDoubtful ? Tone::Warning : tone, details(view),
                    brief.join(QLatin1Char(' ')));
 }
 
@@ -125,7 +125,7 @@ void LinkStatus::showRate(const LinkViewState& viewState)
     if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
     const bool isGood =
         worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && !droppedLately_;
-    header_.setLink(text, isGood ? Tone::Good : Tone::Doubt, view ? details(*view) : QString());
+    header_.setLink(text, isGood ? Tone::Good : Tone::Warning, view ? details(*view) : QString());
     rateShownAt_ = now;
     worstAge_ = 0.0;
 }
@@ -202,7 +202,7 @@ void LinkStatus::showRobot(const Received* newest, double age)
     if (age <= kStaleAfter)
         header_.setRobot(glance(activity), toneOf(activity));
     else
-        header_.setRobot(tr("robot: --"), Tone::Doubt);
+        header_.setRobot(tr("robot: --"), Tone::Warning);
 }
 
 void LinkStatus::showArming(const CanView* bus, const std::optional<Precondition>& panel)

@@ -258,7 +258,7 @@ void GamepadPage::showState()
                                        : QString())
              : state_.trouble.empty() ? tr("No gamepad is connected. Plug one in at any time.")
                                       : translated(state_.trouble),
-             state_.isConnected() && !state_.radio ? Tone::Strong : Tone::Doubt);
+             state_.isConnected() && !state_.radio ? Tone::Strong : Tone::Warning);
     assign_->setEnabled(state_.isConnected());
     setTip(*assign_, state_.isConnected() ? tr("Then move the control that shall do this")
                                           : tr("No gamepad is connected"));

@@ -286,7 +286,7 @@ void SettingsPage::buildLook(QFormLayout* form)
           tr("Ctrl + and Ctrl −"), &Preferences::fontScale)
         ->setSingleStep(10);
     lettersNote_ = new PlainLabel(this);
-    setTone(*lettersNote_, Tone::Doubt);
+    setTone(*lettersNote_, Tone::Warning);
     lettersNote_->setWordWrap(true);
     lettersNote_->hide();
     addField(*form, QString(), lettersNote_);

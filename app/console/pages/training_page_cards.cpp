@@ -192,7 +192,7 @@ QWidget* TrainingPage::compareCard()
     verdict_ = makeSentence(tr("Outcome"), card);
     setTone(*verdict_, Tone::Strong);
     caution_ = makeSentence(tr("What to keep in mind"), card);
-    setTone(*caution_, Tone::Doubt);
+    setTone(*caution_, Tone::Warning);
     reason_ = makeSentence(tr("Why not"), card);
     setTone(*reason_, Tone::Muted);
     adopt_ = new HoldToConfirmButton(tr("Adopt (hold)"), &Theme::decide, card);

@@ -134,7 +134,7 @@ void HistoryWindow::showState()
                         : tr("The picture shows the present. Choose an estimate to see it; the "
                              "verdict stays that of the present.");
     state_->setText(text);
-    setTone(*state_, shown ? Tone::Doubt : Tone::Muted);
+    setTone(*state_, shown ? Tone::Warning : Tone::Muted);
     lay_->setText(laid_ != 0 ? tr("Take it away (L)") : tr("Lay over the present (L)"));
     lay_->setEnabled(laid_ != 0 || chosen() != 0);
     setTip(*lay_, lay_->isEnabled() ? tr("Draws it as a lighter profile over the present one")

@@ -49,7 +49,7 @@ Tone toneOf(BusState state)
     switch (state) {
     case BusState::Up:
     case BusState::Ended: return Tone::Plain;
-    case BusState::ErrorWarning: return Tone::Doubt;
+    case BusState::ErrorWarning: return Tone::Warning;
     case BusState::Stalled:
     case BusState::ErrorPassive:
     case BusState::BusOff:

@@ -397,7 +397,7 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
     showViewState();
     result_->setText(parts.join(QStringLiteral(" · ")));
     setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
-                      : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt
+                      : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Warning
                                                                          : Tone::Good);
     showButtons();
     export_->setFocus();

@@ -81,7 +81,7 @@ TEST_F(Console, appearingItemsDoNotMoveTheWindow)
     ASSERT_TRUE(readyToExplore());
     const QSize least = window->minimumSize();
     const int letters = lookInForce().fontScale;
-    window->header()->setLink("link 20 Hz · ≤ 1234 ms · 123456 dropped", Tone::Doubt);
+    window->header()->setLink("link 20 Hz · ≤ 1234 ms · 123456 dropped", Tone::Warning);
     window->header()->setOverridden("the robot rolls");
     window->header()->setStop({.state = StopViewState::State::NotSent, .why = "the bus is off"});
     window->header()->setAlarms(3, 12);

@@ -304,7 +304,7 @@ TEST_F(Bench, busErrorsWithholdTheVerdictOnlyWhileRecent)
     EXPECT_TRUE(header.busButton()->text().contains("! 1 dropped ! 1 errors"))
         << header.busButton()->text().toStdString();
     EXPECT_EQ(role(), "caution");
-    EXPECT_EQ(toneOfLink(), "doubt");
+    EXPECT_EQ(toneOfLink(), "warning");
     showAt(began + 1.0 + GrowingCount::kLately);
     EXPECT_TRUE(header.busButton()->text().contains(" 1 dropped 1 errors"))
         << header.busButton()->text().toStdString();

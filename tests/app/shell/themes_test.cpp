@@ -31,11 +31,11 @@ std::vector<Colours> textPairs(const Theme& t)
                                {"source", t.source, t.header},
                                {"source on a chosen page", t.source, t.chip.area},
                                {"chip off", t.chipOffText, t.chip.area},
-                               {"prior only", t.doubt, t.priorZone},
+                               {"prior only", t.warning, t.priorZone},
                                {"muted on the zone", t.muted, t.priorZone},
                                {"contact", t.contact, t.card}};
     const std::pair<const char*, QColor> inks[]{{"text", t.text}, {"muted", t.muted},
-                                                {"good", t.good}, {"doubt", t.doubt},
+                                                {"good", t.good}, {"warning", t.warning},
                                                 {"bad", t.bad},   {"accent", t.accent}};
     for (const auto& [name, ink] : inks) {
         pairs.push_back({name, ink, t.card});
@@ -46,7 +46,7 @@ std::vector<Colours> textPairs(const Theme& t)
         {"primary", t.primary},    {"stop", t.stop},
         {"stopped", t.stopped},    {"decide", t.decide},
         {"caution", t.caution},    {"chip", t.chip},
-        {"chip good", t.chipGood}, {"chip doubt", t.chipDoubt},
+        {"chip good", t.chipGood}, {"chip warning", t.chipWarning},
         {"chip bad", t.chipBad},   {"chip accent", t.chipAccent},
         {"banner", t.banner},      {"done", t.done},
         {"clear", t.clear},        {"blocked", t.blocked},

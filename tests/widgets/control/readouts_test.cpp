@@ -165,7 +165,7 @@ TEST(Header, aBadgeHasTheColoursOfItsTone)
     gui::showActive(header);
     const std::pair<Tone, Fill> badges[]{{Tone::Plain, theme().chip},
                                          {Tone::Good, theme().chipGood},
-                                         {Tone::Doubt, theme().chipDoubt},
+                                         {Tone::Warning, theme().chipWarning},
                                          {Tone::Bad, theme().chipBad}};
     for (const auto& [tone, fill] : badges) {
         header.setLink("link 20 Hz", tone);
@@ -256,7 +256,7 @@ TEST(Header, badStatesAreVisibleAtEveryWidth)
         }
         EXPECT_EQ(bus.text(), "can0 BUS-OFF") << "the rest has gone";
         EXPECT_EQ(bus.accessibleName(), "Bus: can0 BUS-OFF ≤ 9 % ! 3 dropped");
-        header.setBus("can0 ACTIVE ≤ 9 %", Tone::Doubt, "");
+        header.setBus("can0 ACTIVE ≤ 9 %", Tone::Warning, "");
         QApplication::processEvents();
         EXPECT_FALSE(bus.isVisible()) << "a doubt has to wait for room";
     }

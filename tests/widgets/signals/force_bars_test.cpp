@@ -292,7 +292,7 @@ TEST_F(Forces, aDriftedBiasStandsBelowItsElement)
     EXPECT_EQ(bars.driftText(1), "") << "too small";
     EXPECT_EQ(bars.driftText(2), "bias −0.7 N") << "the larger one";
     EXPECT_TRUE(bars.accessibleDescription().contains("element 3: L 0.4 N, R 0.4 N, bias −0.7 N"));
-    const auto amber = [this] { return gui::pixelsOf(gui::painted(bars), theme().doubt); };
+    const auto amber = [this] { return gui::pixelsOf(gui::painted(bars), theme().warning); };
     EXPECT_GT(amber(), 5);
     bars.clearForces();
     EXPECT_EQ(amber(), 0);

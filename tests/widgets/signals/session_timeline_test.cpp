@@ -15,9 +15,9 @@ using namespace gui;
 Timeline someTimeline()
 {
     Timeline t{.begin = 10.0, .end = 110.0, .lanes = {{.name = "link"}, {.name = "scenes"}}};
-    t.lanes[0].spans << TimelineSpan{10.0, 60.0, TimelineWeight::Good, "link: up"};
-    t.lanes[1].marks << TimelineMark{50.0, TimelineWeight::Plain, "scene 1"};
-    t.gaps << TimelineSpan{80.0, 90.0, TimelineWeight::Bad, "DAMAGED"};
+    t.lanes[0].spans << TimelineSpan{10.0, 60.0, TimelineSeverity::Good, "link: up"};
+    t.lanes[1].marks << TimelineMark{50.0, TimelineSeverity::Plain, "scene 1"};
+    t.gaps << TimelineSpan{80.0, 90.0, TimelineSeverity::Bad, "DAMAGED"};
     return t;
 }
 

@@ -220,7 +220,7 @@ TEST_F(TerrainView, theArmAvoidsTheZonesWordsAtEverySizeOfLetters)
 
 TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
 {
-    const auto marked = [&](double z) { return alike(colourAt(view, 0.63, z), theme().doubt); };
+    const auto marked = [&](double z) { return alike(colourAt(view, 0.63, z), theme().warning); };
     view.setEstimate(stepEstimate());
     EXPECT_FALSE(marked(-0.25));
     view.setEstimate(divided());

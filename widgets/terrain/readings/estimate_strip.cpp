@@ -77,7 +77,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     warnings_ = new PlainLabel(this);
     warnings_->setWordWrap(true);
     warnings_->setAccessibleName(tr("Reasons to doubt the result"));
-    setTone(*warnings_, Tone::Doubt);
+    setTone(*warnings_, Tone::Warning);
     progress_ = new QProgressBar(this);
     progress_->setRange(0, 1000);
     progress_->setAccessibleName(tr("Progress of the estimate"));
@@ -143,7 +143,7 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     headline_->setText(doubtful ? tr("Uncertain at %1: ± %2").arg(bin, sd)
                                 : tr("Known to ± %1, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
-    setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
+    setTone(*headline_, doubtful ? Tone::Warning : Tone::Good);
     const QString dot = QStringLiteral(" · ");
     const QString method = methodName(estimate.settings.method);
     const QString made =
@@ -175,7 +175,7 @@ void EstimateStrip::showWarnings(const QStringList& warnings)
 void EstimateStrip::setLive(const QString& note)
 {
     setNothing(note);
-    setTone(*headline_, Tone::Doubt);
+    setTone(*headline_, Tone::Warning);
 }
 
 void EstimateStrip::setNothing(const QString& why)

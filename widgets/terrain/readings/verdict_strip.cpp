@@ -350,7 +350,7 @@ void VerdictStrip::setTwoTracks(const TwoTrackVerdict& verdict, const QString& p
     nameQuestion(ofSides);
     if (!ofSides) question_->setText(question);
     setTone(*question_, withheld ? Tone::Muted : Tone::Strong);
-    setTone(*reason_, withheld ? Tone::Doubt : Tone::Muted);
+    setTone(*reason_, withheld ? Tone::Warning : Tone::Muted);
     QStringList parts;
     if (ofSides) parts << probability;
     if (const QString why = whyText(verdict, true); !why.isEmpty()) parts << why;
@@ -373,7 +373,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     // A withheld probability must not be the first thing that is read.
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
-    setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
+    setTone(*reason_, isWithheld ? Tone::Warning : Tone::Muted);
     const bool isBrief = verdict.stepVerdict == StepVerdict::CannotTell && !isWithheld;
     QString why = isBrief ? brieflyOf(verdict) : whyOf(verdict);
     if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
