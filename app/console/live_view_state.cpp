@@ -29,8 +29,8 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};
     viewState.estimateSeconds = estimation.seconds();
     if (viewState.estimate)
-        viewState.memoryWords =
-            translated(withLedger(estimation.memoryWords(), estimation.strip().ledger()));
+        viewState.memoryText =
+            translated(withLedger(estimation.memoryText(), estimation.strip().ledger()));
     viewState.second = {pointer(estimation.second()), revisions.second};
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));
@@ -119,7 +119,7 @@ AlarmViewState LiveViewState::alarms(const RobotMoment& moment, const LinkAccoun
                 : TR_NOOP("LiveViewState",
                           "The operator's panel does not answer: STOP is asserted");
     if (exploration.state().phase == AtemPhase::Failed)
-        viewState.failedExploration = exploration.stateWords();
+        viewState.failedExploration = exploration.stateText();
     return viewState;
 }
 
@@ -144,7 +144,7 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
     addEstimation(viewState, exploration.estimation());
     viewState.whyNoEstimate = translated(exploration.whyNoEstimate());
     viewState.state = exploration.state();
-    viewState.stateWords = translated(exploration.stateWords());
+    viewState.stateText = translated(exploration.stateText());
     viewState.time = exploration.time();
     viewState.secondsInPhase = exploration.secondsInPhase();
     viewState.proposal = pointer(exploration.proposal());
@@ -180,7 +180,7 @@ ConsoleFacts LiveViewState::facts(const RobotMoment& moment, const QString& sour
                        .robotDetails = robotDetails,
                        .model = parts_.exploration.estimation().model()};
     if (moment.latest) facts.telemetryAge = now - secondsOf(moment.latest->arrived);
-    if (moment.bus) facts.bus = busWords(moment.bus->bus, moment.bus->busName);
+    if (moment.bus) facts.bus = busStateText(moment.bus->bus, moment.bus->busName);
     if (parts_.link) facts.waiting = parts_.link->waiting();
     if (const PanelControl* panel = parts_.panel)
         facts.panel = PanelFacts{.report = panel->report(),

@@ -28,7 +28,7 @@ QString phaseWord(AtemPhase phase)
 }
 
 /// Returns "probe 0:31": the remaining time, if it is known and long.
-QString progressWords(AtemPhase phase, const std::optional<PhaseTime>& time)
+QString progressText(AtemPhase phase, const std::optional<PhaseTime>& time)
 {
     const QString word = phaseWord(phase);
     const bool isKnown =
@@ -55,7 +55,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     const bool looksAway = terrain == Terrain::Elsewhere;
     rail_.setNote(rail_.pageOf(Qt::Key_F2),
                   asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
-                  : looksAway ? progressWords(state.phase, time)
+                  : looksAway ? progressText(state.phase, time)
                               : QString(),
                   asks && !isVoid);
     QString text;

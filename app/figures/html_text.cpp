@@ -21,7 +21,7 @@ std::string htmlText(std::string_view text)
     return html;
 }
 
-std::string htmlHead(std::string_view title, const Wording& say, std::string_view style)
+std::string htmlHead(std::string_view title, const Wording& wording, std::string_view style)
 {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\">"
@@ -34,7 +34,7 @@ std::string htmlHead(std::string_view title, const Wording& say, std::string_vie
         "td,th{{text-align:right;padding:.2em .6em;border-bottom:1px solid #cfd8e1}}"
         "dt{{font-weight:bold;color:#4a5866}}dd{{margin:0 0 .4em "
         "1em;overflow-wrap:anywhere}}{}</style></head>\n",
-        htmlText(say(TR_NOOP("Report", "en"))), htmlText(title), style);
+        htmlText(wording(TR_NOOP("Report", "en"))), htmlText(title), style);
 }
 
 std::string htmlPicture(int width, int height, const std::function<void(Canvas&)>& draw,

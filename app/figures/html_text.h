@@ -15,8 +15,8 @@ class Canvas;
 std::string htmlText(std::string_view text);
 
 /// Returns the head of a page without scripts and without links to other files, up to its <body>. style: CSS that is
-/// added to the common style. say: whose language the page names.
-std::string htmlHead(std::string_view title, const Wording& say = inEnglish,
+/// added to the common style. wording: whose language the page names.
+std::string htmlHead(std::string_view title, const Wording& wording = inEnglish,
                      std::string_view style = {});
 
 /// Returns a picture as SVG inside a page. prefix: unique in the page, because each picture counts its glyphs from 0.

@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    std::string say(const Message& message) const { return input_.say(message); }
+    std::string wording(const Message& message) const { return input_.wording(message); }
     static double centre(std::size_t i) { return binCentre(static_cast<int>(i)); }
 
     void drawHeading()
@@ -145,8 +145,9 @@ private:
         canvas_.text({24.0, 36.0}, canvas_.fitted(input_.title, kPlotRight - 24.0, title), title);
         const TerrainEstimate& e = input_.estimate;
         const TextStyle plain{.colour = kFigureMuted, .size = 14.0};
-        const std::string how = say({TR_NOOP("Report", "method %1, %2 draws in %3 chains"),
-                                     name(e.settings.method), e.draws.size(), e.settings.chains});
+        const std::string how =
+            wording({TR_NOOP("Report", "method %1, %2 draws in %3 chains"), name(e.settings.method),
+                     e.draws.size(), e.settings.chains});
         canvas_.text({24.0, 62.0}, how, plain);
         if (e.warnings.empty() && e.converged) return;
         const TextStyle warning{.colour = kWarning, .size = 14.0, .bold = true};
@@ -159,9 +160,10 @@ private:
     std::string warningText() const
     {
         const auto& warnings = input_.estimate.warnings;
-        if (warnings.empty()) return say(TR_NOOP("Report", "! not converged"));
-        if (warnings.size() == 1) return "! " + say(warnings.front());
-        return say({TR_NOOP("Report", "! (+%1 more) %2"), warnings.size() - 1, warnings.front()});
+        if (warnings.empty()) return wording(TR_NOOP("Report", "! not converged"));
+        if (warnings.size() == 1) return "! " + wording(warnings.front());
+        return wording(
+            {TR_NOOP("Report", "! (+%1 more) %2"), warnings.size() - 1, warnings.front()});
     }
 
     void drawPriorZones()
@@ -193,9 +195,9 @@ private:
                          {kPlotLeft, kPlotBottom}},
                         {0xffffff, 0.0}, {kFigureFrame, 1.0, {}});
         canvas_.text({0.5 * (kPlotLeft + kPlotRight), kPlotBottom + 42.0},
-                     say(TR_NOOP("Report", "forward from the IMU [m]")), across);
+                     wording(TR_NOOP("Report", "forward from the IMU [m]")), across);
         canvas_.text({26.0, 0.5 * (kPlotTop + kPlotBottom)},
-                     say(TR_NOOP("Report", "height above the IMU [m]")), across, true);
+                     wording(TR_NOOP("Report", "height above the IMU [m]")), across, true);
     }
 
     /// Returns the first or last label inside the axis, in tenths of a metre.
@@ -281,7 +283,7 @@ private:
         const double down =
             axes_.y(input_.estimate.q90[static_cast<std::size_t>(*input_.proposedBin)]) - 8.0;
         const double from = kPlotTop + 28.0;
-        canvas_.text({x, kPlotTop + 21.0}, say(TR_NOOP("Report", "probe here")),
+        canvas_.text({x, kPlotTop + 21.0}, wording(TR_NOOP("Report", "probe here")),
                      {.colour = kArm, .size = 15.0, .bold = true, .align = Align::Centre});
         if (down - 10.0 > from) canvas_.line({x, from}, {x, down - 8.0}, {kArm, 2.0, {6.0, 4.0}});
         const double tip = std::max(down, from + 10.0);
@@ -295,7 +297,7 @@ private:
         for (const Provenance known : kProvenances) {
             if (!present(known)) continue;
             entries.push_back(
-                {say(tableWord(name(known))), [known](Canvas& canvas, Point at) {
+                {wording(tableWord(name(known))), [known](Canvas& canvas, Point at) {
                      const Look look = styleOf(known);
                      const bool open = known == Provenance::PriorOnly;
                      if (open)
@@ -305,23 +307,24 @@ private:
                      drawMark(canvas, look, open ? MarkFill::Open : MarkFill::Full, at);
                  }});
         }
-        entries.push_back({say(TR_NOOP("Report", "open: not felt")), [](Canvas& canvas, Point at) {
-                               drawMark(canvas, styleOf(Provenance::Sampled), MarkFill::Open, at);
-                           }});
-        addLine(entries, say(TR_NOOP("Report", "mean")), {kSampled, 2.5, {}});
         entries.push_back(
-            {say(TR_NOOP("Report", "0.1 to 0.9 quantile")), [](Canvas& canvas, Point at) {
+            {wording(TR_NOOP("Report", "open: not felt")), [](Canvas& canvas, Point at) {
+                 drawMark(canvas, styleOf(Provenance::Sampled), MarkFill::Open, at);
+             }});
+        addLine(entries, wording(TR_NOOP("Report", "mean")), {kSampled, 2.5, {}});
+        entries.push_back(
+            {wording(TR_NOOP("Report", "0.1 to 0.9 quantile")), [](Canvas& canvas, Point at) {
                  canvas.line({at.x, at.y - 9.0}, {at.x, at.y + 9.0}, {kSampled, 2.0, {}});
                  for (const double dy : {-9.0, 9.0})
                      canvas.line({at.x - 6.0, at.y + dy}, {at.x + 6.0, at.y + dy},
                                  {kSampled, 2.0, {}});
              }});
-        addLine(entries, say(TR_NOOP("Report", "ceiling by the body")),
+        addLine(entries, wording(TR_NOOP("Report", "ceiling by the body")),
                 {kFigureMuted, 1.6, {2.0, 3.0}});
         if (input_.previous)
-            addLine(entries, say(TR_NOOP("Report", "estimate before")),
+            addLine(entries, wording(TR_NOOP("Report", "estimate before")),
                     {kPrevious, 2.0, {7.0, 4.0}});
-        if (input_.truth) addLine(entries, say(TR_NOOP("Report", "truth")), {kTruth, 1.5, {}});
+        if (input_.truth) addLine(entries, wording(TR_NOOP("Report", "truth")), {kTruth, 1.5, {}});
         entries.push_back(
             {"IMU", [](Canvas& canvas, Point at) {
                  canvas.marker(Shape::Circle, at, 10.0, kFigureText, {kFigureText, 1.0, {}});

@@ -21,7 +21,7 @@ struct FigureInput {
     std::optional<Heights> truth;             ///< [m], if known
     std::string title;
     std::optional<int> proposedBin;  ///< bin of the proposed probe
-    Wording say = inEnglish;         ///< makes the texts
+    Wording wording = inEnglish;     ///< makes the texts
 };
 
 /// Draws the terrain profile, 1200 × 700 px, with equal axes [m] and the origin at the IMU. It shows the mean line,

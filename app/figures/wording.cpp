@@ -5,8 +5,8 @@
 namespace terratact {
 namespace {
 
-/// Words of tables; the names of enumerators are the same words.
-[[maybe_unused]] constexpr SourceText kTableWords[] = {
+/// Texts of tables: names of enumerators, for translators.
+[[maybe_unused]] constexpr SourceText kTableNames[] = {
     TR_NOOP("Report", "both"),         TR_NOOP("Report", "left"),
     TR_NOOP("Report", "right"),        TR_NOOP("Report", "arm"),
     TR_NOOP("Report", "contact"),      TR_NOOP("Report", "constrained"),

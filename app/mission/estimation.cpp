@@ -189,14 +189,14 @@ void Estimation::score(const ArmReading& reading)
         return void(emit happened(
             Message(TR_NOOP("terratact::Estimation",
                             "arm %1: %2 m, between the sides that are estimated"),
-                    placeWords(place), verbatim(format::signedNumber(reading.height, 2))),
+                    placeMessage(place), verbatim(format::signedNumber(reading.height, 2))),
             EventSeverity::Warning));
     const TerrainEstimate& shown = sideOf(*estimate_, reading.side);
     const auto i = static_cast<std::size_t>(reading.bin);
     const bool inside = shown.q10[i] <= reading.height && reading.height <= shown.q90[i];
     emit happened(
         Message(TR_NOOP("terratact::Estimation", "arm %1: %2 m, %3 the band shown before"),
-                placeWords(place), verbatim(format::signedNumber(reading.height, 2)),
+                placeMessage(place), verbatim(format::signedNumber(reading.height, 2)),
                 inside ? TR_NOOP("terratact::Estimation", "inside")
                        : TR_NOOP("terratact::Estimation", "outside")),
         inside ? EventSeverity::Note : EventSeverity::Warning);
@@ -255,8 +255,8 @@ void Estimation::forget(const Message& why)
 void Estimation::setAside(const Message& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,    *pose_,          capturedAt_,  hadTelemetryGap_, readings_,
-                       *estimate_, second_.value(), memoryWords_, memory_};
+        aside_ = Aside{*scene_,    *pose_,          capturedAt_, hadTelemetryGap_, readings_,
+                       *estimate_, second_.value(), memoryText_, memory_};
     memory_.clear();
     takeBack();
     forget(why);
@@ -273,7 +273,7 @@ bool Estimation::restore()
     readings_ = std::move(aside.readings);
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
-    memoryWords_ = std::move(aside.memoryWords);
+    memoryText_ = std::move(aside.memoryText);
     memory_ = std::move(aside.memory);
     strip_.enter(*estimate_, estimateJob_, readings_);
     whyNone_ = {};
@@ -306,7 +306,7 @@ void Estimation::start()
     EstimateRequest request = requestFor(options_.settings.method);
     request.prober = robot_;
     askedLimit_ = request.stepLimit;
-    askedMemory_ = terratact::memoryWords(options_.settings.method, scene_->memory, model_.trail);
+    askedMemory_ = terratact::memoryText(options_.settings.method, scene_->memory, model_.trail);
     job_ = worker_.request(request);
 }
 
@@ -349,7 +349,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     live_.reset();
     estimate_ = estimate;
     seconds_ = seconds;
-    memoryWords_ = askedMemory_;
+    memoryText_ = askedMemory_;
     ++counts_.estimates;
     const auto& [left, right] = estimate.side;
     counts_.contradicting += left.contradicts || right.contradicts ? 1 : 0;

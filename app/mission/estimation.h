@@ -103,7 +103,7 @@ public:
     const std::optional<TwoTrackEstimate>& estimate() const { return estimate_.value(); }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
     /// Returns how much of the way estimate() remembers, or why nothing. Empty: another method than trail was wanted.
-    Message memoryWords() const;
+    Message memoryText() const;
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
     const Message& whyNone() const { return whyNone_; }
     const ProbeAdvice& advice() const { return advice_; }  ///< probe advice for estimate()
@@ -172,7 +172,7 @@ private:
         std::vector<ArmReading> readings;
         TwoTrackEstimate estimate;
         std::optional<TwoTrackEstimate> second;
-        Message memoryWords;
+        Message memoryText;
         WayMemory memory;
     };
 
@@ -227,7 +227,7 @@ private:
     Strip strip_;
     WayMemory memory_;
     Message askedMemory_;        ///< text about the memory of the current or last request
-    Message memoryWords_;        ///< of the request of estimate_
+    Message memoryText_;         ///< of the request of estimate_
     Message memoryLogged_;       ///< newest reason that nothing is remembered
     std::uint64_t tracked_ = 0;  ///< count of the last sample it used
 };

@@ -5,20 +5,20 @@
 
 namespace terratact {
 
-Message Estimation::memoryWords() const
+Message Estimation::memoryText() const
 {
-    if (!estimate_ || memoryWords_.empty()) return {};
+    if (!estimate_ || memoryText_.empty()) return {};
     const SceneMemory& memory = scene_->memory;
     const Message used =
-        terratact::memoryWords(*estimate_, memory.history ? &*memory.history : nullptr);
-    return used.empty() ? memoryWords_ : used;
+        terratact::memoryText(*estimate_, memory.history ? &*memory.history : nullptr);
+    return used.empty() ? memoryText_ : used;
 }
 
 /// Reports that nothing is remembered, and each new reason.
 void Estimation::announceMemory()
 {
     const bool isRemembered = estimate_->side[0].settings.method == Method::Trail;
-    const Message why = isRemembered ? Message() : memoryWords_;
+    const Message why = isRemembered ? Message() : memoryText_;
     if (std::exchange(memoryLogged_, why) != why && !why.empty())
         emit happened(why, EventSeverity::Note);
 }
@@ -31,7 +31,7 @@ SeenStrip Estimation::remembered() const
 std::optional<Message> Estimation::whyNothingRemembered() const
 {
     if (counts_.estimates == 0) return std::nullopt;
-    return nothingRememberedWords(strip_.whyNothing(), telemetryFresh_);
+    return nothingRememberedText(strip_.whyNothing(), telemetryFresh_);
 }
 
 }  // namespace terratact

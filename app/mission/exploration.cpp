@@ -304,7 +304,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::ProposingProbe:
         emit proposed();
         emit happened(Message(TR_NOOP("terratact::Exploration", "probe proposed %1"),
-                              placeWords({probes_.current()->bin, probes_.current()->side})),
+                              placeMessage({probes_.current()->bin, probes_.current()->side})),
                       EventSeverity::Note);
         break;
     case AtemPhase::Probing: probe(); break;
@@ -329,7 +329,7 @@ void Exploration::probe()
     probing_ = {.bin = probes_.current()->bin, .side = probes_.current()->side};
     probes_.withdraw();
     emit happened(Message(TR_NOOP("terratact::Exploration", "probe %1 approved"),
-                          placeWords({probing_.bin, probing_.side})),
+                          placeMessage({probing_.bin, probing_.side})),
                   EventSeverity::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
@@ -364,7 +364,7 @@ void Exploration::fail()
 {
     disarmedBy_ = bus_ ? bus_->link.arming.cause : DisarmCause::None;
     if (state_.failure == AtemFailure::BeginTimeout) notSent_ = whyNotBegun();
-    const Message why = failureWords();
+    const Message why = failureText();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
     emit stateChanged(Message(TR_NOOP("terratact::Exploration", "exploration failed: %1"), why),
@@ -385,10 +385,10 @@ std::optional<PhaseTime> Exploration::time() const
                      {.press = pressTook_, .probe = options_.probeSeconds});
 }
 
-Message Exploration::stateWords() const
+Message Exploration::stateText() const
 {
-    if (state_.phase == AtemPhase::Failed) return failureWords();
-    if (Message loop = loopWords(); !loop.empty()) return loop;
+    if (state_.phase == AtemPhase::Failed) return failureText();
+    if (Message loop = loopText(); !loop.empty()) return loop;
     switch (const StopViewState stop = stopViewState(); stop.state) {
     case StopViewState::State::Sent:
         return TR_NOOP("terratact::Exploration", "STOP sent, not confirmed by the robot");
@@ -402,7 +402,7 @@ Message Exploration::stateWords() const
     return {};
 }
 
-Message Exploration::failureWords() const
+Message Exploration::failureText() const
 {
     const SourceText what = describe(state_.failure);
     if (state_.failure == AtemFailure::Disarmed && disarmedBy_ != DisarmCause::None)

@@ -106,7 +106,7 @@ public:
     const AtemState& state() const { return state_; }
     std::optional<PhaseTime> time() const;
     /// Returns a text with more detail than the state: why it failed, whether STOP is confirmed. Empty: none.
-    Message stateWords() const;
+    Message stateText() const;
     double secondsInPhase() const { return now_ - state_.since; }
     /// Returns true while the estimate of a captured scene is running.
     bool estimating() const
@@ -146,7 +146,7 @@ public:
 
 signals:
     void happened(const terratact::Message& text, terratact::EventSeverity severity);
-    /// Emitted instead of happened() for an event that stateWords() contains.
+    /// Emitted instead of happened() for an event that stateText() contains.
     void stateChanged(const terratact::Message& text, terratact::EventSeverity severity);
     void stoppedNothing(const terratact::Message& why);  ///< stop() had no effect
     // Signals for the session's record.
@@ -174,7 +174,7 @@ private:
     void present(bool unprobed);
     void end(bool aborted);
     void fail();
-    Message failureWords() const;
+    Message failureText() const;
     void preview();
 
     // Feel forward.
@@ -186,7 +186,7 @@ private:
     void sendAdvance();  ///< as soon as the robot has ended its exploration
     void endAdvance();
     void showLoop(const AtemState& before);
-    Message loopWords() const;
+    Message loopText() const;
     bool reportsExploring() const;  ///< false also without a bus
     bool hasBegun() const;          ///< in Halting
     Message whyNotBegun() const;    ///< empty: not known

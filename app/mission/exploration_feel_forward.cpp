@@ -172,7 +172,7 @@ LoopPace Exploration::pace() const
     return pace;
 }
 
-Message Exploration::loopWords() const
+Message Exploration::loopText() const
 {
     if (state_.loops)
         return Message(TR_NOOP("terratact::Exploration", "feel forward: %1 · %2 m · %3 m/min"),

@@ -34,7 +34,7 @@ void Exploration::askProbe(ProbePlace place)
     emit happened(
         Message(TR_NOOP("terratact::Exploration",
                         "a probe %1 is requested: the robot presses again, then asks for approval"),
-                placeWords(place)),
+                placeMessage(place)),
         EventSeverity::Note);
     asked_ = place;
     explore();
@@ -101,9 +101,9 @@ void Exploration::choose(quint64 proposal, ProbePlace place)
     emit decided("choose", placeName(place));
     probes_.propose(place);
     emit proposed();
-    emit happened(
-        Message(TR_NOOP("terratact::Exploration", "probe asked for %1 instead"), placeWords(place)),
-        EventSeverity::Note);
+    emit happened(Message(TR_NOOP("terratact::Exploration", "probe asked for %1 instead"),
+                          placeMessage(place)),
+                  EventSeverity::Note);
 }
 
 void Exploration::setStepLimit(double metres)

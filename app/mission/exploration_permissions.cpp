@@ -88,7 +88,7 @@ std::optional<Message> Exploration::whyNotAsking(ProbePlace place) const
         return Preconditions::pitchSuspected().text;
     if (!inReach(place))
         return Message(TR_NOOP("terratact::Exploration", "the arm does not reach the ground %1"),
-                       placeWords(place));
+                       placeMessage(place));
     if (state_.phase == AtemPhase::ProposingProbe)
         return probes_.stands() ? std::nullopt : std::optional(Preconditions::stands(false).text);
     return whyNotExploring();

@@ -28,7 +28,7 @@ Message noMemory(const Message& why)
     return {TR_NOOP("terratact::Estimation", "no memory: %1"), why};
 }
 
-Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& networks)
+Message memoryText(Method wanted, const SceneMemory& memory, const TrailInUse& networks)
 {
     if (wanted != Method::Trail) return {};
     if (networks.name.isEmpty())
@@ -38,7 +38,7 @@ Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& 
     return memory.history ? remembered(*memory.history) : memory.why;
 }
 
-Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory)
+Message memoryText(const TwoTrackEstimate& estimate, const TrailHistory* memory)
 {
     if (estimate.side[0].settings.method != Method::Trail || !memory) return {};
     if (estimate.side[0].missing.any() || estimate.side[1].missing.any())
@@ -58,7 +58,7 @@ Message withLedger(const Message& words, const StripLedger& ledger)
     return {TR_NOOP("terratact::Estimation", "%1 · %2"), words, held};
 }
 
-std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)
+std::optional<Message> nothingRememberedText(std::optional<SectionStart> why, bool telemetryFresh)
 {
     if (why == SectionStart::First) return std::nullopt;
     if (why)

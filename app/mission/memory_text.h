@@ -15,9 +15,9 @@ Message noMemory(const Message& why);
 
 /// Returns the text beside an estimate: how much it remembers, or why nothing. Empty if the method wanted is not Trail.
 /// networks: of the model in use.
-Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& networks);
+Message memoryText(Method wanted, const SceneMemory& memory, const TrailInUse& networks);
 /// Returns the same for an estimate that is there: it cannot use its memory without a current or a force.
-Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory);
+Message memoryText(const TwoTrackEstimate& estimate, const TrailHistory* memory);
 
 /// Returns the text with how often ground was touched again, and within the 80 % band said before.
 /// Nothing is added before the first such touch.
@@ -25,6 +25,6 @@ Message withLedger(const Message& words, const StripLedger& ledger);
 
 /// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt
 /// yet.
-std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh);
+std::optional<Message> nothingRememberedText(std::optional<SectionStart> why, bool telemetryFresh);
 
 }  // namespace terratact

@@ -162,7 +162,7 @@ PlanarGround::warnings(const Measurement& m, const Settings& settings)
                                  verbatim(format::degrees(differential)))}};
 }
 
-SourceText PlanarGround::goneWords(int kind)
+SourceText PlanarGround::goneText(int kind)
 {
     switch (kind) {
     case kRoll: return TR_NOOP("PlanarGround", "the roll is small again");
@@ -211,7 +211,7 @@ std::vector<Message> PlanarGround::endOverrides(const Measurement& m, const Sett
         if (now.stands() && !grew) continue;
         reasons.push_back(
             grew ? Message(TR_NOOP("PlanarGround", "%1, more than what was overridden"), now.text)
-                 : Message(goneWords(static_cast<int>(kind))));
+                 : Message(goneText(static_cast<int>(kind))));
         overridden_[kind].reset();
     }
     return reasons;

@@ -67,7 +67,7 @@ private:
     };
     static std::array<PlanarityWarning, kKinds> warnings(const Measurement& measurement,
                                                          const Settings& settings);
-    static SourceText goneWords(int kind);
+    static SourceText goneText(int kind);
 
     std::array<std::optional<PlanarityWarning>, kKinds>
         overridden_;  ///< each at its size when overridden

@@ -75,7 +75,7 @@ void addVerdict(std::vector<Message>& parts, const TwoTrackVerdict& verdict, dou
 Message proposalText(const ProbeProposal& p)
 {
     return {TR_NOOP("terratact::SessionEventLogger", "probe proposed %1: %2 m, %3 … %4 m, sd %5 m"),
-            placeWords({p.bin, p.side}),
+            placeMessage({p.bin, p.side}),
             fixed(p.height, 3),
             fixed(p.q10, 3),
             fixed(p.q90, 3),
@@ -96,7 +96,7 @@ Message screenText(const Exploration& exploration, const LinkAccount& link)
     if (const auto& proposal = exploration.proposal()) parts.push_back(proposalText(*proposal));
     if (const auto place = exploration.probingPlace())
         parts.emplace_back(TR_NOOP("terratact::SessionEventLogger", "probing %1"),
-                           placeWords(*place));
+                           placeMessage(*place));
     return Message::listed(std::move(parts), "; ");
 }
 

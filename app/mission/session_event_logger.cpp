@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-std::string inWords(EventSeverity severity)
+std::string severityWord(EventSeverity severity)
 {
     switch (severity) {
     case EventSeverity::Note: return "note";
@@ -152,7 +152,7 @@ void SessionEventLogger::decision(const char* what, const Message& text)
 
 void SessionEventLogger::word(const Message& text, EventSeverity severity)
 {
-    log(EventKind::Word, inWords(severity), text);
+    log(EventKind::Word, severityWord(severity), text);
 }
 
 void SessionEventLogger::mark(const QString& note)

@@ -88,7 +88,7 @@ struct TerrainViewState {
     const std::optional<std::array<Heights, 2>>* sceneSideTruth = nullptr;
     DrawnEstimate estimate{};      ///< estimate of the scene
     double estimateSeconds = 0.0;  ///< [s] computation time
-    QString memoryWords{};         ///< how much of the way the estimate remembers, or why nothing
+    QString memoryText{};          ///< how much of the way the estimate remembers, or why nothing
     DrawnEstimate second{};        ///< estimate by a second method
     QString secondName{};
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate
@@ -100,7 +100,7 @@ struct TerrainViewState {
     std::optional<TwoTrackVerdict> verdict{};
 
     AtemState state{};
-    QString stateWords{};             ///< replaces the state's own text
+    QString stateText{};              ///< replaces the state's own text
     std::optional<PhaseTime> time{};  ///< time of the phase
     double secondsInPhase = 0.0;
     /// Probe proposal for the estimate, pending or answered.

@@ -47,7 +47,7 @@ bool showsWorth(const TerrainViewState& viewState)
 }
 
 /// Returns what a probe of the bin would gain, in one line.
-QString probeTells(const ProbeProposal& probe)
+QString probeGainText(const ProbeProposal& probe)
 {
     const QString place = placeText({probe.bin, probe.side});
     if (!probe.worth)
@@ -164,7 +164,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     showContacts(viewState);
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
-    atem_->setState(viewState.state, viewState.time, viewState.stateWords);
+    atem_->setState(viewState.state, viewState.time, viewState.stateText);
     atem_->setHasResult(viewState.estimate || !viewState.remembered.isEmpty());
     showProbeToAsk(viewState);
     atem_->setPreconditions(viewState.preconditions);
@@ -284,7 +284,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         if (shown_ != estimate) {
             terrain_->setEstimate(*viewState.estimate);
             strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds,
-                                viewState.memoryWords);
+                                viewState.memoryText);
             shown_ = estimate;
         }
     } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {
@@ -392,7 +392,7 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
                                         : showsWorth(viewState) ? &*viewState.bestProbe
                                                                 : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
-        probe = probeTells(*proposal);
+        probe = probeGainText(*proposal);
     verdict_->setVerdict(*viewState.verdict, probe);
     terrain_->setFullSide(decidingSide(*viewState.verdict));
 }
@@ -403,7 +403,7 @@ void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
     const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
     if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
     const ProbeProposal& best = *viewState.bestProbe;
-    atem_->setProbeToAsk(ProbePlace{best.bin, best.side}, probeTells(best));
+    atem_->setProbeToAsk(ProbePlace{best.bin, best.side}, probeGainText(best));
 }
 
 void TerrainPage::showProbe(const TerrainViewState& viewState)

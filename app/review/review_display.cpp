@@ -82,8 +82,8 @@ void ReviewDisplay::showDamage(const ReviewMoment& moment)
     places_.damage.setVisible(moment.damage.has_value());
     if (moment.damage)
         places_.damage.setText(tr("DAMAGED from %1 to %2; this part is not shown: %3")
-                                   .arg(timeWords(secondsOf(moment.damage->first)),
-                                        timeWords(secondsOf(moment.damage->last)),
+                                   .arg(timeText(secondsOf(moment.damage->first)),
+                                        timeText(secondsOf(moment.damage->last)),
                                         translated(moment.damage->why)));
 }
 

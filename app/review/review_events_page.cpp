@@ -80,7 +80,7 @@ public:
         if (role != Qt::DisplayRole) return {};
         const EventRow& row = rowOf(index.row());
         switch (index.column()) {
-        case Time: return timeWords(secondsOf(row.time));
+        case Time: return timeText(secondsOf(row.time));
         case Kind: return nameOf(row.kind);
         case What: return sentenceOf(row);
         case Shown: return translatedLine(screenOf(row));

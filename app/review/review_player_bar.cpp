@@ -205,18 +205,18 @@ void ReviewPlayerBar::showPlayer()
     timeline_->setPlayhead(now);
     timeline_->setCursors(player_.a(), player_.b());
     const bool atBegin = now <= player_.begin(), atEnd = now >= player_.end();
-    if (!position_->hasFocus()) position_->setText(timeWords(now));
+    if (!position_->hasFocus()) position_->setText(timeText(now));
     const QString clock =
         wallClock(session_, sessionTimeOf(now)).toString(QStringLiteral("HH:mm:ss 'UTC'"));
     const QString of = tr("of %1 · %2%3")
-                           .arg(timeWords(player_.end(), 1.0), clock,
+                           .arg(timeText(player_.end(), 1.0), clock,
                                 atEnd     ? QStringLiteral(" · ") + tr("END")
                                 : atBegin ? QStringLiteral(" · ") + tr("BEGIN")
                                           : QString());
     if (of_->text() != of) {
         of_->setText(of);
         setTip(*position_, tr("Go to a time (G): seconds, or hours:minutes:seconds")
-                               + QLatin1Char('\n') + timeWords(now) + QLatin1Char(' ') + of);
+                               + QLatin1Char('\n') + timeText(now) + QLatin1Char(' ') + of);
         showClock();
     }
     speed_->setText(QString::number(player_.speed(), 'g', 3) + QStringLiteral("×"));
@@ -323,8 +323,8 @@ void ReviewPlayerBar::setCursor(bool isA)
     const std::optional<double> after = before == now ? std::nullopt : std::optional(now);
     isA ? player_.setA(after) : player_.setB(after);
     if (player_.a() && player_.b())
-        difference_->setText(differenceWords(moments_.at(sessionTimeOf(*player_.a())),
-                                             moments_.at(sessionTimeOf(*player_.b()))));
+        difference_->setText(differenceText(moments_.at(sessionTimeOf(*player_.a())),
+                                            moments_.at(sessionTimeOf(*player_.b()))));
     showPlayer();
 }
 

@@ -142,13 +142,13 @@ void ReviewViewState::addRemembered(TerrainViewState& viewState, const ReviewMom
     if (isFresh) viewState.remembered = std::move(found.seen);
     viewState.earlier = std::move(found.earlier);
     viewState.whyNothingRemembered =
-        translated(nothingRememberedWords(found.why, isFresh).value_or(Message()));
+        translated(nothingRememberedText(found.why, isFresh).value_or(Message()));
     const EstimateRow* const row = moment.estimate.get();
     if (!row) return;
     const bool hasMemory = moment.scene && moment.scene->memory;
     const Message memory =
-        hasMemory ? memoryWords(row->estimate, &*moment.scene->memory) : Message();
-    viewState.memoryWords = translated(found.ledger ? withLedger(memory, *found.ledger) : memory);
+        hasMemory ? memoryText(row->estimate, &*moment.scene->memory) : Message();
+    viewState.memoryText = translated(found.ledger ? withLedger(memory, *found.ledger) : memory);
 }
 
 void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,

@@ -343,7 +343,7 @@ void WhatIfPage::showAnswer()
         text = tr("Differs from the recorded estimate by %1 at most, at bin %2.")
                    .arg(format::length(found.largest(), 3), placeName(found));
     }
-    showStatus(text + QLatin1Char('\n') + verdictWords(found), tone);
+    showStatus(text + QLatin1Char('\n') + verdictText(found), tone);
     showBins(&found);
 }
 
@@ -354,7 +354,7 @@ QString WhatIfPage::placeName(const Differences& found)
     return found.largestSide == 0 ? tr("%1 left").arg(bin) : tr("%1 right").arg(bin);
 }
 
-QString WhatIfPage::verdictWords(const Differences& found) const
+QString WhatIfPage::verdictText(const Differences& found) const
 {
     const auto answer = [](StepVerdict verdict, double p) {
         return QStringLiteral("%1 (%2 %)")

@@ -68,7 +68,7 @@ private:
     void addEstimate(int job, const TwoTrackEstimate& estimate);
     void showAnswer();
     static QString placeName(const Differences& found);  ///< bin that moved most, with its side
-    QString verdictWords(const Differences& found) const;
+    QString verdictText(const Differences& found) const;
     void showBins(const Differences* found);  ///< null: shows only the recorded bins
     /// Shows the bins of one side. name: empty for one plane.
     void showSide(const Differences* found, std::size_t side, const QString& name);

@@ -151,7 +151,7 @@ void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>&
     state_ = state;
     said_ = said;
     showState();
-    timeText_->setText(time ? timeWords(*time) : QString());
+    timeText_->setText(time ? timeText(*time) : QString());
     setTone(*timeText_, Tone::Strong);
     arrange();
     showList();
@@ -169,7 +169,7 @@ void AtemPanel::showState()
     else if (!said_.isEmpty())
         text = said_;
     else if (is(AtemPhase::Idle) && !state_.followed)
-        text = idleWords(text);
+        text = idleText(text);
     if (is(AtemPhase::Presenting) && state_.approvalExpired)
         text += tr("; no answer in time counts as refused");
     else if (is(AtemPhase::Presenting) && state_.probed)
@@ -179,7 +179,7 @@ void AtemPanel::showState()
 }
 
 /// Returns "ready" only if no listed precondition contradicts it.
-QString AtemPanel::idleWords(const QString& ready) const
+QString AtemPanel::idleText(const QString& ready) const
 {
     if (onlyShows_) return tr("nothing is explored");
     switch (worstOf(needs_[indexOf(Commanded::Explore)])) {
@@ -191,7 +191,7 @@ QString AtemPanel::idleWords(const QString& ready) const
     return ready;
 }
 
-QString AtemPanel::timeWords(const PhaseTime& time)
+QString AtemPanel::timeText(const PhaseTime& time)
 {
     const QString seconds = format::countdown(time.seconds);
     switch (time.kind) {

@@ -76,7 +76,7 @@ protected:
 
 private:
     void showState();
-    QString idleWords(const QString& ready) const;
+    QString idleText(const QString& ready) const;
     void showList();
     void showButtons();
     void placeButtons();
@@ -86,7 +86,7 @@ private:
     QList<Precondition> needsNow(Commanded command) const;
     QList<Precondition> listOf(Commanded command) const;
     void offerCommands();
-    static QString timeWords(const PhaseTime& time);
+    static QString timeText(const PhaseTime& time);
 
     AtemState state_;
     QString said_;  ///< text that replaces the state's own

@@ -24,7 +24,7 @@ namespace {
 enum Column { State, Text, Since, Times, kColumns };
 constexpr double kMinute = 60.0;  // [s]
 
-QString stateWords(AlarmState state, Severity severity)
+QString alarmStateText(AlarmState state, Severity severity)
 {
     const bool isCritical = severity == Severity::Critical;
     switch (state) {
@@ -43,7 +43,7 @@ QColor colourOf(const Alarm& alarm)
     return alarm.severity == Severity::Critical ? theme().bad : theme().warning;
 }
 
-QString sinceWords(const Alarm& alarm, double now)
+QString sinceText(const Alarm& alarm, double now)
 {
     const QString ago = format::countdown(std::floor(now - alarm.since));
     if (alarm.state != AlarmState::Returned) return AlarmTable::tr("for %1").arg(ago);
@@ -57,7 +57,7 @@ QStringList allStates()
     for (const AlarmState state :
          {AlarmState::Unacknowledged, AlarmState::Returned, AlarmState::Acknowledged})
         for (const Severity severity : {Severity::Caution, Severity::Critical})
-            words << stateWords(state, severity);
+            words << alarmStateText(state, severity);
     return words;
 }
 
@@ -161,8 +161,9 @@ void AlarmTable::resizeToFont()
 
 void AlarmTable::put(int row, const Alarm& alarm, double now)
 {
-    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), translated(alarm.text),
-                                  sinceWords(alarm, now), QString::number(alarm.raised)};
+    const QString texts[kColumns]{alarmStateText(alarm.state, alarm.severity),
+                                  translated(alarm.text), sinceText(alarm, now),
+                                  QString::number(alarm.raised)};
     for (int column = 0; column < kColumns; ++column) {
         QTableWidgetItem* item = table_->item(row, column);
         if (!item) table_->setItem(row, column, item = new QTableWidgetItem);

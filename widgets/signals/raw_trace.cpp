@@ -21,7 +21,7 @@ namespace {
 
 enum TraceColumn { Number, Time, Id, Name, Bytes, Content, kTraceColumns };
 
-QString troubleWords(FrameTrouble trouble)
+QString troubleText(FrameTrouble trouble)
 {
     switch (trouble) {
     case FrameTrouble::None: return {};
@@ -105,7 +105,7 @@ public:
         case Id: return words.id;
         case Name: return traced.echo ? RawTrace::tr("%1 (from here)").arg(words.name) : words.name;
         case Bytes: return words.bytes;
-        default: return said(words.content, troubleWords(traced.trouble));
+        default: return said(words.content, troubleText(traced.trouble));
         }
     }
 

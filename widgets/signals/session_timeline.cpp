@@ -75,7 +75,7 @@ double timeStep(double span, double most)
     return 3600.0 * std::ceil(span / most / 3600.0);
 }
 
-QString timeWords(double seconds, double step)
+QString timeText(double seconds, double step)
 {
     if (!isTime(seconds)) return format::kNothing;
     const int decimals = step >= 1.0 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
@@ -227,15 +227,15 @@ QString SessionTimeline::textAt(QPointF point) const
         const TimelineLane& lane = timeline_.lanes[row];
         for (const TimelineMark& mark : lane.marks)
             if (std::abs(mark.time - at) <= near && texts.size() < 8)
-                texts << timeWords(mark.time) + QStringLiteral("  ") + mark.text;
+                texts << timeText(mark.time) + QStringLiteral("  ") + mark.text;
         for (const TimelineSpan& span : lane.spans)
             if (span.first - near <= at && at <= span.last + near && texts.size() < 8)
-                texts << tr("%1 – %2  %3")
-                             .arg(timeWords(span.first), timeWords(span.last), span.text);
+                texts
+                    << tr("%1 – %2  %3").arg(timeText(span.first), timeText(span.last), span.text);
     }
     for (const TimelineSpan& gap : timeline_.gaps)
         if (gap.first - near <= at && at <= gap.last + near && texts.size() < 8)
-            texts << tr("%1 – %2  %3").arg(timeWords(gap.first), timeWords(gap.last), gap.text);
+            texts << tr("%1 – %2  %3").arg(timeText(gap.first), timeText(gap.last), gap.text);
     return texts.join(QLatin1Char('\n'));
 }
 
@@ -271,7 +271,7 @@ void SessionTimeline::paintScale(QPainter& painter) const
         painter.setPen(theme().muted);
         const QRectF room(x - scaled(60), 0.0, 2.0 * scaled(60), area.top());
         if (room.left() + scaled(24) > 0.0 && room.right() - scaled(24) < width())
-            painter.drawText(room, Qt::AlignCenter, timeWords(k * step, step));
+            painter.drawText(room, Qt::AlignCenter, timeText(k * step, step));
     }
 }
 
@@ -400,9 +400,9 @@ bool SessionTimeline::event(QEvent* event)
 
 void SessionTimeline::describe()
 {
-    setAccessibleDescription(tr("%1 of %2")
-                                 .arg(timeWords(playhead_ - timeline_.begin),
-                                      timeWords(timeline_.end - timeline_.begin)));
+    setAccessibleDescription(
+        tr("%1 of %2")
+            .arg(timeText(playhead_ - timeline_.begin), timeText(timeline_.end - timeline_.begin)));
 }
 
 }  // namespace terratact

@@ -103,7 +103,7 @@ private:
 };
 
 /// Formats a time as "1:02:03.45", with as few decimals as a step of `step` [s] needs; NaN reads "--".
-QString timeWords(double seconds, double step = 0.001);
+QString timeText(double seconds, double step = 0.001);
 
 /// Returns a round step [s] of a time scale with at most `most` steps in `span` [s].
 double timeStep(double span, double most);

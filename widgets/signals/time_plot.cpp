@@ -30,7 +30,7 @@ public:
     QwtText label(double value) const override
     {
         const bool isBefore = value < zero - 0.5 * step;  // nothing was there
-        return isBefore ? QwtText() : QwtText(timeWords(value - zero, step));
+        return isBefore ? QwtText() : QwtText(timeText(value - zero, step));
     }
     using QwtScaleDraw::invalidateCache;
     double zero = 0.0, step = 1.0;  ///< [s]

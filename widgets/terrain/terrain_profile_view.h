@@ -99,7 +99,7 @@ public:
     /// Marks the contacts of the robot's flippers; none: nothing touches the ground.
     void setContacts(std::vector<ContactPoint> points);
     /// Returns the words at the contacts: "CONTACT L5 R5"; empty without one.
-    QString contactWords() const { return contacts_->words(); }
+    QString contactText() const { return contacts_->words(); }
     void setDrawsShown(bool shown);  ///< shows some draws as thin lines
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     /// Of two sides it is that of the side in full.

@@ -134,8 +134,8 @@ QString LinkStatus::details(const CanView& view) const
 {
     const BusLoad load = link_->tap().load();
     return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
-        .arg(busWords(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
-             loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
+        .arg(busStateText(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
+             busLoadText(load, link_->bitrate()), QString::number(view.frames.dropped),
              QString::number(view.frames.errorFrames));
 }
 

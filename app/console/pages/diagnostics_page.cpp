@@ -73,7 +73,7 @@ DiagnosticsSection processor()
          {DiagnosticsPage::tr("training uses"), QString::fromLatin1(likelihoodKernels().name)}}};
 }
 
-QString gpioWords()
+QString gpioText()
 {
     const QStringList chips =
         QDir(QStringLiteral("/dev")).entryList({QStringLiteral("gpiochip*")}, QDir::System);
@@ -87,7 +87,7 @@ QString gpioWords()
     return said.join(QStringLiteral(", "));
 }
 
-QString groupWords()
+QString groupText()
 {
     std::vector<gid_t> ids(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
     const int got = ::getgroups(static_cast<int>(ids.size()), ids.data());
@@ -107,12 +107,12 @@ DiagnosticsSection permissions()
     QStringList interfaces;
     for (const std::string& name : facts.others) interfaces << format::text(name);
     return {DiagnosticsPage::tr("Permissions"),
-            {{DiagnosticsPage::tr("CAN socket"), canSocketWords(canSocketError())},
+            {{DiagnosticsPage::tr("CAN socket"), canSocketText(canSocketError())},
              {DiagnosticsPage::tr("CAN interfaces"), interfaces.isEmpty()
                                                          ? DiagnosticsPage::tr("none here")
                                                          : interfaces.join(QStringLiteral(", "))},
-             {DiagnosticsPage::tr("GPIO chips"), gpioWords()},
-             {DiagnosticsPage::tr("groups"), groupWords()}}};
+             {DiagnosticsPage::tr("GPIO chips"), gpioText()},
+             {DiagnosticsPage::tr("groups"), groupText()}}};
 }
 
 /// Returns the same lines with and without a bus.
@@ -157,7 +157,7 @@ DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
              {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
 }
 
-QString contactWords(const PanelFacts& panel, PanelContact contact)
+QString contactText(const PanelFacts& panel, PanelContact contact)
 {
     const QString level = panel.report.state.contacts[contact].closed
                             ? DiagnosticsPage::tr("closed")
@@ -170,7 +170,7 @@ QString contactWords(const PanelFacts& panel, PanelContact contact)
         .arg(level, edges, QString::number(panel.presses[contact]));
 }
 
-QString latencyWords(const std::vector<double>& seconds)
+QString latencyText(const std::vector<double>& seconds)
 {
     if (seconds.empty()) return format::kNothing;
     return DiagnosticsPage::tr("newest %1 · worst %2 of %3")
@@ -194,14 +194,14 @@ DiagnosticsSection panelDiagnostics(const std::optional<PanelFacts>& panel)
     });
     for (const PanelContact contact : kAllPanelContacts)
         line(DiagnosticsPage::tr("contact %1").arg(format::text(name(contact))),
-             [contact](const PanelFacts& p) { return contactWords(p, contact); });
+             [contact](const PanelFacts& p) { return contactText(p, contact); });
     line(DiagnosticsPage::tr("events lost"), [](const PanelFacts& p) {
         return DiagnosticsPage::tr("%1 by the kernel · panel gone %2 times")
             .arg(p.report.counters.lostEdges)
             .arg(p.report.counters.losses);
     });
     line(DiagnosticsPage::tr("STOP to the bus"),
-         [](const PanelFacts& p) { return latencyWords(p.stopLatencies); });
+         [](const PanelFacts& p) { return latencyText(p.stopLatencies); });
     return section;
 }
 
@@ -229,7 +229,7 @@ double residentMemory()
                             : pages[1].toDouble() * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-QString canSocketWords(int socketError)
+QString canSocketText(int socketError)
 {
     if (socketError == 0) return DiagnosticsPage::tr("✔ possible");
     const CanFinding finding = socketFinding(socketError);

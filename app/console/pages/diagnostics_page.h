@@ -31,7 +31,7 @@ struct DiagnosticsSection {
 QList<DiagnosticsSection> standingDiagnostics();
 
 /// Returns whether CAN sockets can be opened; if not, why and how to fix it. socketError: of canSocketError().
-QString canSocketWords(int socketError);
+QString canSocketText(int socketError);
 
 /// State and counts of an operator's panel.
 struct PanelFacts {

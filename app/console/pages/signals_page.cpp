@@ -48,7 +48,7 @@ std::vector<SignalRow> rowsOf(const Measurement& m)
 
 }  // namespace
 
-QString loadWords(const BusLoad& load, const BitRate& bitrate)
+QString busLoadText(const BusLoad& load, const BitRate& bitrate)
 {
     const double rate = bitrate.bitsPerSecond.value_or(0.0);
     if (!(rate > 0.0))
@@ -151,8 +151,8 @@ void SignalsPage::refreshBus(double now)
         tr("%1 · %2 frames/s · %3\nSince the start: %4 frames, %5 dropped, %6 error frames, %7 "
            "with "
            "a wrong checksum, %8 out of sequence, %9 not in the DBC")
-            .arg(busWords(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
-                 loadWords(load, link_->bitrate()), QString::number(load.frames),
+            .arg(busStateText(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
+                 busLoadText(load, link_->bitrate()), QString::number(load.frames),
                  QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
                  of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
                  of(FrameTrouble::Unknown)));

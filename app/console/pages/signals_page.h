@@ -25,7 +25,7 @@ class SignalTable;
 
 /// Returns "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)". "---"
 /// stands for an unknown bit rate.
-QString loadWords(const BusLoad& load, const BitRate& bitrate);
+QString busLoadText(const BusLoad& load, const BitRate& bitrate);
 
 /// Shows the bus: its load, every signal, and the newest raw frames. Preferred DBC files describe frames outside the
 /// robot's protocol; their errors appear on the page and on stderr.

@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-QString answerInWords(StepVerdict answer)
+QString answerText(StepVerdict answer)
 {
     Verdict plain;
     plain.stepVerdict = answer;
@@ -32,7 +32,7 @@ QString PastText::verdict(const PastEstimate& past)
     if (verdict.onePlane)
         return tr("%1 for steps above %2").arg(VerdictStrip::answerOf(verdict.side[0]), limit);
     return tr("%1 for steps above %2 (left %3, right %4)")
-        .arg(answerInWords(verdict.both), limit, VerdictStrip::answerOf(verdict.side[0]),
+        .arg(answerText(verdict.both), limit, VerdictStrip::answerOf(verdict.side[0]),
              VerdictStrip::answerOf(verdict.side[1]));
 }
 

@@ -51,7 +51,7 @@ public:
         for (std::size_t k = 0; k < pages_.size(); ++k)
             pages.emplace_back(
                 [drawings = pages_[k], title = printable(document.title),
-                 number = printable(document.say(
+                 number = printable(document.wording(
                      {TR_NOOP("Report", "page %1 of %2"), k + 1, pages_.size()}))](Canvas& canvas) {
                     for (const PageDrawing& draw : drawings) draw(canvas);
                     const TextStyle left{.colour = kFigureMuted, .size = 14.0};

@@ -208,10 +208,10 @@ Result<std::vector<MissionLine>> linesOf(SessionReader& session, const RobotMode
 }
 
 /// Returns a row for what does not fit.
-std::vector<std::string> restRow(std::size_t rest, std::size_t columns, const Wording& say)
+std::vector<std::string> restRow(std::size_t rest, std::size_t columns, const Wording& wording)
 {
     std::vector<std::string> row(columns);
-    row.back() = say({TR_NOOP("Report", "… and %1 more in the session"), rest});
+    row.back() = wording({TR_NOOP("Report", "… and %1 more in the session"), rest});
     return row;
 }
 
@@ -252,89 +252,93 @@ std::vector<AlarmSpan> alarmsOf(const SessionReader& session)
 
 Result<DocumentPart> missionDecisions(SessionReader& session, const RobotModel& robot,
                                       const std::function<bool(double)>& progress,
-                                      std::size_t maxRows, const Wording& say)
+                                      std::size_t maxRows, const Wording& wording)
 {
     auto lines = linesOf(session, robot, progress, maxRows);
     if (!lines) return lines.error();
     const std::size_t estimates = session.estimates().size();
     const std::size_t all = lines->size() + estimates - std::min(estimates, maxRows);
-    DocumentPart part{.heading = say(TR_NOOP("Report", "Decisions and their numbers")),
-                      .note = lines->empty() ? say(TR_NOOP(
-                                  "Report", "Nothing was estimated and nobody decided anything."))
-                                             : "",
-                      .facts = {},
-                      .pictures = {},
-                      .table = {{"UTC", say(TR_NOOP("Report", "since start")),
-                                 say(TR_NOOP("Report", "what")), say(TR_NOOP("Report", "numbers"))},
-                                {1.4, 1.2, 2.5, 6.9},
-                                {}}};
+    DocumentPart part{
+        .heading = wording(TR_NOOP("Report", "Decisions and their numbers")),
+        .note = lines->empty()
+                  ? wording(TR_NOOP("Report", "Nothing was estimated and nobody decided anything."))
+                  : "",
+        .facts = {},
+        .pictures = {},
+        .table = {{"UTC", wording(TR_NOOP("Report", "since start")),
+                   wording(TR_NOOP("Report", "what")), wording(TR_NOOP("Report", "numbers"))},
+                  {1.4, 1.2, 2.5, 6.9},
+                  {}}};
     lines->resize(std::min(lines->size(), maxRows));
     part.table.rows.reserve(lines->size() + 1);
     for (const MissionLine& line : *lines)
         part.table.rows.push_back({clockText(session.start(), line.time), momentText(line.time),
-                                   say(line.what), say(line.numbers)});
-    if (all > maxRows) part.table.rows.push_back(restRow(all - maxRows, 4, say));
+                                   wording(line.what), wording(line.numbers)});
+    if (all > maxRows) part.table.rows.push_back(restRow(all - maxRows, 4, wording));
     return part;
 }
 
-DocumentPart missionAlarms(const SessionReader& session, const Wording& say)
+DocumentPart missionAlarms(const SessionReader& session, const Wording& wording)
 {
     const std::vector<AlarmSpan> spans = alarmsOf(session);
     const auto moment = [&](const std::optional<SessionTime>& time, SourceText otherwise) {
-        return time ? momentText(*time) : say(otherwise);
+        return time ? momentText(*time) : wording(otherwise);
     };
     DocumentPart part{
-        .heading = say(TR_NOOP("Report", "Alarms")),
-        .note = spans.empty() ? say(TR_NOOP("Report", "No alarm was raised.")) : "",
+        .heading = wording(TR_NOOP("Report", "Alarms")),
+        .note = spans.empty() ? wording(TR_NOOP("Report", "No alarm was raised.")) : "",
         .facts = {},
         .pictures = {},
-        .table = {{say(TR_NOOP("Report", "alarm")), say(TR_NOOP("Report", "raised")),
-                   say(TR_NOOP("Report", "acknowledged")), say(TR_NOOP("Report", "cause gone")),
-                   say(TR_NOOP("Report", "text"))},
+        .table = {{wording(TR_NOOP("Report", "alarm")), wording(TR_NOOP("Report", "raised")),
+                   wording(TR_NOOP("Report", "acknowledged")),
+                   wording(TR_NOOP("Report", "cause gone")), wording(TR_NOOP("Report", "text"))},
                   {1.5, 1.4, 1.6, 1.6, 5.9},
                   {}}};
     for (std::size_t k = 0; k < std::min(spans.size(), kMaxReportRows); ++k)
-        part.table.rows.push_back({say(eventName(spans[k].id)),
+        part.table.rows.push_back({wording(eventName(spans[k].id)),
                                    moment(spans[k].raised, TR_NOOP("Report", "before the session")),
                                    moment(spans[k].acknowledged, TR_NOOP("Report", "no")),
                                    moment(spans[k].gone, TR_NOOP("Report", "no")),
-                                   say(spans[k].text)});
+                                   wording(spans[k].text)});
     if (spans.size() > kMaxReportRows)
-        part.table.rows.push_back(restRow(spans.size() - kMaxReportRows, 5, say));
+        part.table.rows.push_back(restRow(spans.size() - kMaxReportRows, 5, wording));
     return part;
 }
 
-DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows, const Wording& say)
+DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows,
+                             const Wording& wording)
 {
     DocumentPart part{
-        .heading = say(TR_NOOP("Report", "Settings in force")),
-        .note = say(TR_NOOP("Report", "Settings of the estimates, from each change on. Other "
-                                      "settings are recorded as decisions.")),
+        .heading = wording(TR_NOOP("Report", "Settings in force")),
+        .note = wording(TR_NOOP("Report", "Settings of the estimates, from each change on. Other "
+                                          "settings are recorded as decisions.")),
         .facts = {},
         .pictures = {},
-        .table = {{say(TR_NOOP("Report", "from")), say(TR_NOOP("Report", "estimate")),
-                   say(TR_NOOP("Report", "settings"))},
+        .table = {{wording(TR_NOOP("Report", "from")), wording(TR_NOOP("Report", "estimate")),
+                   wording(TR_NOOP("Report", "settings"))},
                   {1.3, 1.7, 9.0},
                   {}}};
     std::map<bool, std::string> last;
     std::size_t rest = 0;
     for (const EstimateRow& row : session.estimates()) {
         const bool isSecond = row.role == EstimateRole::Second;
-        const std::string text = say({TR_NOOP("Report", "%1, step limit %2 m"),
-                                      settingsText(row.estimate.side[0].settings), row.stepLimit});
+        const std::string text =
+            wording({TR_NOOP("Report", "%1, step limit %2 m"),
+                     settingsText(row.estimate.side[0].settings), row.stepLimit});
         if (std::exchange(last[isSecond], text) == text) continue;
         if (part.table.rows.size() == maxRows) {
             ++rest;
             continue;
         }
-        part.table.rows.push_back(
-            {momentText(row.time),
-             isSecond ? say({TR_NOOP("Report", "%1 (second)"), row.id}) : std::to_string(row.id),
-             text});
+        part.table.rows.push_back({momentText(row.time),
+                                   isSecond ? wording({TR_NOOP("Report", "%1 (second)"), row.id})
+                                            : std::to_string(row.id),
+                                   text});
     }
-    if (rest > 0) part.table.rows.push_back(restRow(rest, 3, say));
+    if (rest > 0) part.table.rows.push_back(restRow(rest, 3, wording));
     if (part.table.rows.empty())
-        part.note = say(TR_NOOP("Report", "Nothing was estimated, so no settings are recorded."));
+        part.note =
+            wording(TR_NOOP("Report", "Nothing was estimated, so no settings are recorded."));
     return part;
 }
 

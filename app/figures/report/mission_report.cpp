@@ -79,14 +79,15 @@ Message countsText(const SessionReader& session)
             eventsOfKind(session, EventKind::Marker)};
 }
 
-DocumentPart sessionPart(const SessionReader& session, const RobotModel& robot, const Wording& say)
+DocumentPart sessionPart(const SessionReader& session, const RobotModel& robot,
+                         const Wording& wording)
 {
     const SessionStart& start = session.start();
     const auto at = [&](SessionTime time) { return utcText(wallTimeOf(start, time)); };
     DocumentPart part;
-    part.heading = say(TR_NOOP("Report", "The session"));
+    part.heading = wording(TR_NOOP("Report", "The session"));
     const auto add = [&](SourceText what, const Message& text) {
-        part.facts.emplace_back(say(what), say(text));
+        part.facts.emplace_back(wording(what), wording(text));
     };
     const auto addPlain = [&](SourceText what, std::string text) {
         add(what, Message::verbatim(std::move(text)));
@@ -113,15 +114,16 @@ DocumentPart sessionPart(const SessionReader& session, const RobotModel& robot, 
 }
 
 DocumentPart hashesPart(const SessionReader& session, const SessionVerification& found,
-                        const Wording& say)
+                        const Wording& wording)
 {
     const SessionStart& start = session.start();
     DocumentPart part;
-    part.heading = say(TR_NOOP("Report", "Hashes"));
-    part.note = say(TR_NOOP("Report", "Each hash is SHA-256. The last link of the chain proves the "
-                                      "session if it is known from elsewhere."));
+    part.heading = wording(TR_NOOP("Report", "Hashes"));
+    part.note =
+        wording(TR_NOOP("Report", "Each hash is SHA-256. The last link of the chain proves the "
+                                  "session if it is known from elsewhere."));
     const auto add = [&](SourceText what, const Message& text) {
-        part.facts.emplace_back(say(what), say(text));
+        part.facts.emplace_back(wording(what), wording(text));
     };
     add(TR_NOOP("Report", "result"),
         holdsEverything(found)
@@ -147,7 +149,7 @@ DocumentPart hashesPart(const SessionReader& session, const SessionVerification&
 
 /// Returns one sentence that says how far the report can be relied on.
 std::string summaryOf(const SessionReader& session, const SessionVerification& found,
-                      const Wording& say)
+                      const Wording& wording)
 {
     std::vector<Message> parts{
         {SourceText{"", "%1, %2."}, utcText(wallTimeOf(session.start(), session.begin())),
@@ -156,7 +158,7 @@ std::string summaryOf(const SessionReader& session, const SessionVerification& f
             ? TR_NOOP("Report", "Every hash holds.")
             : TR_NOOP("Report", "PARTS ARE NOT WHAT WAS RECORDED: see Hashes. They are left out.")};
     if (!session.sealed()) parts.emplace_back(TR_NOOP("Report", "The session was not closed."));
-    return say(Message::listed(std::move(parts), " "));
+    return wording(Message::listed(std::move(parts), " "));
 }
 
 }  // namespace
@@ -164,7 +166,7 @@ std::string summaryOf(const SessionReader& session, const SessionVerification& f
 Result<ReportDocument> missionReportOf(SessionReader& session,
                                        const std::function<bool(double)>& progress,
                                        const std::shared_ptr<const DbcBook>& book,
-                                       const Wording& say)
+                                       const Wording& wording)
 {
     const auto robot = robotOf(session);
     if (!robot) return robot.error();
@@ -177,21 +179,21 @@ Result<ReportDocument> missionReportOf(SessionReader& session,
     const auto strip = std::make_shared<const Strip>(followed.strip());
     auto decisions = missionDecisions(
         session, *robot, [&](double share) { return !progress || progress(0.4 + 0.6 * share); },
-        kMaxReportRows, say);
+        kMaxReportRows, wording);
     if (!decisions) return decisions.error();
-    ReportDocument document{.title =
-                                say({TR_NOOP("Report", "Mission report of %1"),
-                                     std::filesystem::path(session.path()).filename().string()}),
-                            .summary = summaryOf(session, found, say),
-                            .parts = {sessionPart(session, *robot, say)},
-                            .say = say};
-    for (auto& fact : payloadFacts(session, book, session.end(), say))
+    ReportDocument document{
+        .title = wording({TR_NOOP("Report", "Mission report of %1"),
+                          std::filesystem::path(session.path()).filename().string()}),
+        .summary = summaryOf(session, found, wording),
+        .parts = {sessionPart(session, *robot, wording)},
+        .wording = wording};
+    for (auto& fact : payloadFacts(session, book, session.end(), wording))
         document.parts[0].facts.push_back(std::move(fact));
-    document.parts.push_back(stripPart(strip, {}, say));
+    document.parts.push_back(stripPart(strip, {}, wording));
     document.parts.push_back(std::move(*decisions));
-    document.parts.push_back(missionAlarms(session, say));
-    document.parts.push_back(missionSettings(session, kMaxReportRows, say));
-    document.parts.push_back(hashesPart(session, found, say));
+    document.parts.push_back(missionAlarms(session, wording));
+    document.parts.push_back(missionSettings(session, kMaxReportRows, wording));
+    document.parts.push_back(hashesPart(session, found, wording));
     return document;
 }
 

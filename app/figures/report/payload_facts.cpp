@@ -31,7 +31,7 @@ struct NewestPayload {
         time = row.time;
     }
 
-    std::string text(SessionTime until, const Wording& say) const
+    std::string text(SessionTime until, const Wording& wording) const
     {
         std::string values;
         for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -41,7 +41,7 @@ struct NewestPayload {
             values += fmt::format("{}{} {}{}{}", values.empty() ? "" : ", ", signal.name,
                                   wordOrNumber(signal, *bits[i]), unit.empty() ? "" : " ", unit);
         }
-        return printable(say(
+        return printable(wording(
             {TR_NOOP("Report", "%1 %2: %3, %4 s before"), id, described->message.name,
              values.empty() ? Message(TR_NOOP("Report", "no value")) : Message::verbatim(values),
              fixed(secondsOf(until - time), 1)}));
@@ -52,7 +52,7 @@ struct NewestPayload {
 
 std::vector<std::pair<std::string, std::string>>
 payloadFacts(SessionReader& session, const std::shared_ptr<const DbcBook>& book, SessionTime time,
-             const Wording& say)
+             const Wording& wording)
 {
     std::vector<std::pair<std::string, std::string>> facts;
     if (!book) return facts;
@@ -72,14 +72,14 @@ payloadFacts(SessionReader& session, const std::shared_ptr<const DbcBook>& book,
             }
             found->second.add(row);
         }
-    const std::string what = say(TR_NOOP("Report", "payload"));
+    const std::string what = wording(TR_NOOP("Report", "payload"));
     for (const auto& [key, payload] : newest) {
         if (facts.size() == kMaxPayloadFacts) {
-            facts.emplace_back(what, say({TR_NOOP("Report", "… and %1 more in the session"),
-                                          newest.size() - facts.size()}));
+            facts.emplace_back(what, wording({TR_NOOP("Report", "… and %1 more in the session"),
+                                              newest.size() - facts.size()}));
             break;
         }
-        facts.emplace_back(what, payload.text(time, say));
+        facts.emplace_back(what, payload.text(time, wording));
     }
     return facts;
 }

@@ -56,7 +56,7 @@ std::string partHtml(const DocumentPart& part, std::size_t number)
 std::string htmlOf(const ReportDocument& document)
 {
     std::string html =
-        htmlHead(document.title, document.say,
+        htmlHead(document.title, document.wording,
                  "table{table-layout:fixed}"
                  "td,th{text-align:left;vertical-align:top;overflow-wrap:anywhere}"
                  "dl{display:grid;grid-template-columns:12em 1fr;gap:.2em 1em}dd{margin:0}"

@@ -39,7 +39,7 @@ struct DocumentPart {
 struct ReportDocument {
     std::string title, summary;
     std::vector<DocumentPart> parts;
-    Wording say = inEnglish;  ///< the language of the page numbers and of the HTML
+    Wording wording = inEnglish;  ///< the language of the page numbers and of the HTML
 };
 
 /// Writes A4 pages as PDF, or one HTML file without scripts and with its pictures inside, by the file ending. The same

@@ -69,34 +69,36 @@ Message poseText(const Measurement& m, bool onePlane)
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns the verdict of each side and what both sides mean together; nothing of one plane.
-Facts verdictFacts(const TwoTrackVerdict& v, double limit, const Wording& say)
+Facts verdictFacts(const TwoTrackVerdict& v, double limit, const Wording& wording)
 {
     if (v.onePlane) return {};
-    return {{say(TR_NOOP("Report", "left")), say(stepText(v.side[0], limit))},
-            {say(TR_NOOP("Report", "right")), say(stepText(v.side[1], limit))},
-            {say(TR_NOOP("Report", "either side")),
-             say({v.both == StepVerdict::Clear
+    return {
+        {wording(TR_NOOP("Report", "left")), wording(stepText(v.side[0], limit))},
+        {wording(TR_NOOP("Report", "right")), wording(stepText(v.side[1], limit))},
+        {wording(TR_NOOP("Report", "either side")),
+         wording({v.both == StepVerdict::Clear
                       ? TR_NOOP("Report",
                                 "a step of more than %1 m up to each horizon has probability %2 %")
                       : TR_NOOP("Report", "a step ahead of more than %1 m has probability %2 %"),
                   fixed(limit, 2), fixed(100.0 * answeredBy(v).p, 0)})},
-            {say(TR_NOOP("Report", "cross slope")), say(crossSlopeText(v.crossSlope))}};
+        {wording(TR_NOOP("Report", "cross slope")), wording(crossSlopeText(v.crossSlope))}};
 }
 
 void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate& e,
-             const RecordedSide& side, bool names, bool chains, const Wording& say)
+             const RecordedSide& side, bool names, bool chains, const Wording& wording)
 {
     for (std::size_t i = 0; i < kBins; ++i) {
         const int bin = static_cast<int>(i);
         std::vector<std::string>& row = table.emplace_back();
-        if (names) row.push_back(say(tableWord(side.name)));
+        if (names) row.push_back(wording(tableWord(side.name)));
         for (std::string& cell : std::vector<std::string>{
                  signedNumber(binCentre(bin), 1), signedNumber(e.height[i], 3),
                  fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
                  signedNumber(e.q90[i], 3),
                  std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3)
-                                             : say(TR_NOOP("Report", "none")),
-                 say(tableWord(name(provenance(e, bin)))), say(tableWord(name(e.touch[i])))})
+                                             : wording(TR_NOOP("Report", "none")),
+                 wording(tableWord(name(provenance(e, bin)))),
+                 wording(tableWord(name(e.touch[i])))})
             row.push_back(std::move(cell));
         if (chains) {
             row.push_back(rhatText(e.rhat[i]));
@@ -108,22 +110,23 @@ void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate
 }
 
 std::vector<std::vector<std::string>> tableOf(const TwoTrackEstimate& e, const SceneRow& scene,
-                                              const Wording& say)
+                                              const Wording& wording)
 {
     std::vector<std::vector<std::string>> table{
-        {say(TR_NOOP("Report", "bin [m]")), say(TR_NOOP("Report", "height [m]")), "sd [mm]",
-         "q10 [m]", "q90 [m]", say(TR_NOOP("Report", "ceiling [m]")),
-         say(TR_NOOP("Report", "known by")), say(TR_NOOP("Report", "touch"))}};
+        {wording(TR_NOOP("Report", "bin [m]")), wording(TR_NOOP("Report", "height [m]")), "sd [mm]",
+         "q10 [m]", "q90 [m]", wording(TR_NOOP("Report", "ceiling [m]")),
+         wording(TR_NOOP("Report", "known by")), wording(TR_NOOP("Report", "touch"))}};
     // Only Markov chains have R-hat and effective draws.
     const bool chains = e.side[0].ending != Ending::NotSampled
                      || (!e.onePlane && e.side[1].ending != Ending::NotSampled);
     if (chains) table.front().insert(table.front().end(), {"R-hat", "ESS"});
     const std::vector<RecordedSide> sides = recordedSides(e.onePlane, &scene);
-    if (!e.onePlane) table.front().insert(table.front().begin(), say(TR_NOOP("Report", "side")));
+    if (!e.onePlane)
+        table.front().insert(table.front().begin(), wording(TR_NOOP("Report", "side")));
     if (std::ranges::any_of(sides, [](const auto& side) { return side.truth.has_value(); }))
-        table.front().push_back(say(TR_NOOP("Report", "truth [m]")));
+        table.front().push_back(wording(TR_NOOP("Report", "truth [m]")));
     for (const RecordedSide& side : sides)
-        addRows(table, e.side.at(side.index), side, !e.onePlane, chains, say);
+        addRows(table, e.side.at(side.index), side, !e.onePlane, chains, wording);
     return table;
 }
 
@@ -144,7 +147,7 @@ Outline outlineOf(const RobotModel& robot, const Measurement& m, bool onePlane, 
 /// this one; null: none.
 std::vector<FigureInput> figuresOf(const EstimateRow& row, const EstimateRow* before,
                                    const SceneRow& scene, const RobotModel& robot,
-                                   const std::string& title, const Wording& say)
+                                   const std::string& title, const Wording& wording)
 {
     const bool onePlane = row.estimate.onePlane;
     std::vector<FigureInput> figures;
@@ -154,9 +157,9 @@ std::vector<FigureInput> figuresOf(const EstimateRow& row, const EstimateRow* be
                                               : std::nullopt,
                            .outline = outlineOf(robot, scene.measurement, onePlane, side.index),
                            .truth = side.truth,
-                           .title = onePlane ? title : say(tableWord(side.name)) + ": " + title,
+                           .title = onePlane ? title : wording(tableWord(side.name)) + ": " + title,
                            .proposedBin = std::nullopt,
-                           .say = say});
+                           .wording = wording});
     return figures;
 }
 
@@ -168,7 +171,7 @@ Message warningsText(const TwoTrackEstimate& e)
 
 /// Returns the operator's actions from this scene until the next.
 std::vector<std::string> eventsOf(const SessionReader& session, const SceneRow& scene,
-                                  const Wording& say)
+                                  const Wording& wording)
 {
     SessionTime end = session.end();
     for (const SceneRow& other : session.scenes())
@@ -178,10 +181,10 @@ std::vector<std::string> eventsOf(const SessionReader& session, const SceneRow& 
         const bool operators = e.kind == EventKind::Decision || e.kind == EventKind::Marker;
         if (!operators || e.time < scene.time || e.time > end) continue;
         std::string text = fmt::format("{} ({}) {}", utcText(wallTimeOf(session.start(), e.time)),
-                                       momentText(e.time), say(subjectMessage(e)));
-        if (!e.text.empty()) text += ": " + say(textMessage(e));
+                                       momentText(e.time), wording(subjectMessage(e)));
+        if (!e.text.empty()) text += ": " + wording(textMessage(e));
         if (!e.shown.empty())
-            text += " — " + say({TR_NOOP("Report", "on the screen: %1"), screenOf(e)});
+            text += " — " + wording({TR_NOOP("Report", "on the screen: %1"), screenOf(e)});
         texts.push_back(std::move(text));
     }
     return texts;
@@ -209,7 +212,7 @@ std::vector<const EstimateRow*> estimatesOf(const SessionReader& session, std::i
 
 Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                                const std::function<bool(double)>& progress,
-                               const std::shared_ptr<const DbcBook>& book, const Wording& say)
+                               const std::shared_ptr<const DbcBook>& book, const Wording& wording)
 {
     const SceneRow* scene = sceneOf(session, wanted);
     if (!scene)
@@ -232,18 +235,19 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
         session.verify([&](double share) { return goesOn = !progress || progress(share); });
     if (!goesOn) return fileError(session.path(), "no report: ended before all was read");
     SessionReport report;
-    report.say = say;
-    report.title = say({TR_NOOP("Report", "Scene %1 of %2"), scene->id,
-                        std::filesystem::path(session.path()).filename().string()});
+    report.wording = wording;
+    report.title = wording({TR_NOOP("Report", "Scene %1 of %2"), scene->id,
+                            std::filesystem::path(session.path()).filename().string()});
     const TwoTrackVerdict verdict =
         verdictOf(row.estimate, *robot, scene->measurement, {}, row.stepLimit);
     report.verdict =
-        say(verdict.onePlane ? stepText(verdict.side[0], row.stepLimit) : messageOf(verdict));
-    report.figures = figuresOf(
-        row, rows.size() > 1 ? rows[rows.size() - 2] : nullptr, *scene, *robot,
-        say({TR_NOOP("Report", "Estimate %1, %2"), row.id, utcText(wallTimeOf(start, row.time))}),
-        say);
-    report.table = tableOf(row.estimate, *scene, say);
+        wording(verdict.onePlane ? stepText(verdict.side[0], row.stepLimit) : messageOf(verdict));
+    report.figures =
+        figuresOf(row, rows.size() > 1 ? rows[rows.size() - 2] : nullptr, *scene, *robot,
+                  wording({TR_NOOP("Report", "Estimate %1, %2"), row.id,
+                           utcText(wallTimeOf(start, row.time))}),
+                  wording);
+    report.table = tableOf(row.estimate, *scene, wording);
     const TerrainEstimate& first = row.estimate.side[0];
     const std::vector<std::pair<SourceText, Message>> facts{
         {TR_NOOP("Report", "source"),
@@ -270,15 +274,15 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
               ? TR_NOOP("Report", "every hash holds")
               : TR_NOOP("Report", "PARTS ARE NOT WHAT WAS RECORDED"),
           found.chain}}};
-    for (const auto& [what, text] : facts) report.facts.emplace_back(say(what), say(text));
-    const Facts payload = payloadFacts(session, book, scene->time, say);
+    for (const auto& [what, text] : facts) report.facts.emplace_back(wording(what), wording(text));
+    const Facts payload = payloadFacts(session, book, scene->time, wording);
     report.facts.insert(report.facts.end(), payload.begin(), payload.end());
-    const Facts verdicts = verdictFacts(verdict, row.stepLimit, say);
+    const Facts verdicts = verdictFacts(verdict, row.stepLimit, wording);
     report.facts.insert(report.facts.begin(), verdicts.begin(), verdicts.end());
     if (const Message warnings = warningsText(row.estimate); !warnings.empty())
         report.facts.insert(report.facts.begin(),
-                            {say(TR_NOOP("Report", "warnings")), say(warnings)});
-    report.events = eventsOf(session, *scene, say);
+                            {wording(TR_NOOP("Report", "warnings")), wording(warnings)});
+    report.events = eventsOf(session, *scene, wording);
     return report;
 }
 

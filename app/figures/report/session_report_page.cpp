@@ -15,7 +15,7 @@ constexpr double kPageMargin = 50.0, kLine = 24.0;
 /// A page that is filled from the top.
 class Page {
 public:
-    Page(Canvas& canvas, const Wording& say) : canvas_(canvas), say_(say) {}
+    Page(Canvas& canvas, const Wording& wording) : canvas_(canvas), wording_(wording) {}
 
     void draw(const SessionReport& report)
     {
@@ -95,15 +95,16 @@ private:
         const TextStyle style{.colour = kFigureText, .size = 16.0};
         const double bottom = kPaperHeight - kPageMargin;
         y_ += 8.0;
-        write(events.empty() ? say_(TR_NOOP("Report", "The operator decided nothing here"))
-                             : say_(TR_NOOP("Report", "The operator")),
+        write(events.empty() ? wording_(TR_NOOP("Report", "The operator decided nothing here"))
+                             : wording_(TR_NOOP("Report", "The operator")),
               {.colour = kFigureMuted, .size = 16.0, .bold = true}, kLine);
         for (std::size_t k = 0; k < events.size(); ++k) {
             const auto lines = canvas_.wrapped(events[k], kPaperWidth - 2.0 * kPageMargin, style);
             const double needed = kLine * static_cast<double>(lines.size());
             const double reserved = k + 1 < events.size() ? kLine : 0.0;
             if (y_ + needed + reserved > bottom) {
-                write(say_({TR_NOOP("Report", "… and %1 more in the session"), events.size() - k}),
+                write(wording_(
+                          {TR_NOOP("Report", "… and %1 more in the session"), events.size() - k}),
                       style, kLine);
                 return;
             }
@@ -112,7 +113,7 @@ private:
     }
 
     Canvas& canvas_;
-    const Wording& say_;
+    const Wording& wording_;
     double y_ = 0.0;  ///< base line of the next item
 };
 
@@ -124,7 +125,7 @@ std::string htmlOf(const SessionReport& report)
             kProfileWidth, kProfileHeight,
             [&](Canvas& canvas) { drawProfile(canvas, report.figures[k]); },
             fmt::format("p{}-", k));
-    std::string html = htmlHead(report.title, report.say);
+    std::string html = htmlHead(report.title, report.wording);
     html += fmt::format("<body><h1>{0}</h1>\n<p><strong>{1}</strong></p>\n{2}\n<table>\n",
                         htmlText(report.title), htmlText(report.verdict), svg);
     for (std::size_t row = 0; row < report.table.size(); ++row) {
@@ -137,7 +138,7 @@ std::string htmlOf(const SessionReport& report)
     for (const auto& [what, text] : report.facts)
         html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", htmlText(what), htmlText(text));
     html += fmt::format("</dl>\n<h2>{}</h2>\n<ul>\n",
-                        htmlText(report.say(TR_NOOP("Report", "The operator"))));
+                        htmlText(report.wording(TR_NOOP("Report", "The operator"))));
     for (const std::string& event : report.events)
         html += fmt::format("<li>{}</li>\n", htmlText(event));
     return html + "</ul></body></html>\n";
@@ -149,7 +150,7 @@ Status writeReport(const std::string& path, const SessionReport& report)
 {
     if (path.ends_with(".html")) return writeFileAtomically(path, htmlOf(report));
     return writePicture(path, kPaperWidth, kPaperHeight,
-                        [&](Canvas& canvas) { Page(canvas, report.say).draw(report); });
+                        [&](Canvas& canvas) { Page(canvas, report.wording).draw(report); });
 }
 
 }  // namespace terratact

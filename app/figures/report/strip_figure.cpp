@@ -29,7 +29,7 @@ struct StripPiece {
     std::size_t number = 0;        ///< of the section, from 1
     int first = 0, last = 0;       ///< columns
     double low = 0.0, high = 0.0;  ///< [m] range of heights
-    Wording say = inEnglish;
+    Wording wording = inEnglish;
 };
 
 std::size_t sidesOf(const StripPiece& piece)
@@ -151,10 +151,10 @@ private:
     void drawHead()
     {
         canvas_.text({kStripLeft, 22.0},
-                     piece_.say({TR_NOOP("Report", "Section %1 (%2), %3 to %4 m along the way"),
-                                 piece_.number, describe(piece_.section->why),
-                                 signedNumber(kBinWidth * piece_.first, 1),
-                                 signedNumber(kBinWidth * piece_.last, 1)}),
+                     piece_.wording({TR_NOOP("Report", "Section %1 (%2), %3 to %4 m along the way"),
+                                     piece_.number, describe(piece_.section->why),
+                                     signedNumber(kBinWidth * piece_.first, 1),
+                                     signedNumber(kBinWidth * piece_.last, 1)}),
                      {.colour = kFigureText, .size = 16.0, .bold = true});
         const double right = kStripWidth - kStripRight, left = right - kScaleBar * kStripScale;
         for (const double x : {left, right})
@@ -177,7 +177,7 @@ private:
             canvas_.line({x, y}, {x, y + 8.0}, {kFigureText, 1.5, {}});
         const TextStyle style{.colour = kFigureText, .size = 13.0};
         const std::string text =
-            piece_.say(TR_NOOP("Report", "newest estimate; all else is remembered"));
+            piece_.wording(TR_NOOP("Report", "newest estimate; all else is remembered"));
         const double widest = kStripWidth - kStripRight - canvas_.textWidth(text, style);
         canvas_.text({std::min(left, widest), y - 5.0}, text, style);
     }
@@ -207,10 +207,10 @@ private:
         }
         canvas_.text({std::max(at(0.5 * (left + right), 0.0).x, kStripLeft + 60.0),
                       at(left, piece_.low).y + kStripFoot - 8.0},
-                     piece_.say(TR_NOOP("Report", "along the way [m]")),
+                     piece_.wording(TR_NOOP("Report", "along the way [m]")),
                      {.colour = kFigureMuted, .size = 13.0, .align = Align::Centre});
         canvas_.text({16.0, at(left, 0.5 * (piece_.low + piece_.high)).y},
-                     piece_.say(TR_NOOP("Report", "height [m]")),
+                     piece_.wording(TR_NOOP("Report", "height [m]")),
                      {.colour = kFigureMuted, .size = 13.0, .align = Align::Centre}, true);
     }
 
@@ -241,7 +241,7 @@ private:
 
     void drawLegend(std::size_t sides)
     {
-        const Wording& say = piece_.say;
+        const Wording& wording = piece_.wording;
         std::vector<KeyEntry> entries;
         const auto mark = [](Shape shape, bool filled) {
             return [shape, filled](Canvas& canvas, Point centre) {
@@ -257,23 +257,25 @@ private:
         };
         if (sides == 2) {
             entries.push_back(
-                {say(TR_NOOP("Report", "left, with its 80 % band")), line(sideStyle(0))});
+                {wording(TR_NOOP("Report", "left, with its 80 % band")), line(sideStyle(0))});
             entries.push_back(
-                {say(TR_NOOP("Report", "right, with its 80 % band")), line(sideStyle(1))});
+                {wording(TR_NOOP("Report", "right, with its 80 % band")), line(sideStyle(1))});
         } else {
-            entries.push_back({say(TR_NOOP("Report", "both sides alike, with the 80 % band")),
+            entries.push_back({wording(TR_NOOP("Report", "both sides alike, with the 80 % band")),
                                line({kStripBoth})});
         }
         entries.push_back(
-            {say(TR_NOOP("Report", "touched by the arm")), mark(Shape::Diamond, true)});
+            {wording(TR_NOOP("Report", "touched by the arm")), mark(Shape::Diamond, true)});
         entries.push_back(
-            {say(TR_NOOP("Report", "felt by flipper or track")), mark(Shape::Circle, true)});
-        entries.push_back({say(TR_NOOP("Report", "felt in part")), mark(Shape::Triangle, false)});
-        entries.push_back({say(TR_NOOP("Report", "bounded")), mark(Shape::TriangleDown, false)});
-        entries.push_back({say(TR_NOOP("Report", "not felt")), mark(Shape::Square, false)});
+            {wording(TR_NOOP("Report", "felt by flipper or track")), mark(Shape::Circle, true)});
+        entries.push_back(
+            {wording(TR_NOOP("Report", "felt in part")), mark(Shape::Triangle, false)});
+        entries.push_back(
+            {wording(TR_NOOP("Report", "bounded")), mark(Shape::TriangleDown, false)});
+        entries.push_back({wording(TR_NOOP("Report", "not felt")), mark(Shape::Square, false)});
         if (holdsUnrecorded(piece_))
             entries.push_back(
-                {say(TR_NOOP("Report", "not recorded how")), mark(Shape::Circle, false)});
+                {wording(TR_NOOP("Report", "not recorded how")), mark(Shape::Circle, false)});
         drawKey(canvas_, {kStripLeft, 32.0}, kStripWidth - kStripRight, entries);
     }
 
@@ -283,7 +285,7 @@ private:
 
 /// Returns how many later touches of ground lay in the 80 % band said before, by touch.
 std::vector<std::pair<std::string, std::string>> ledgerFacts(const StripLedger& ledger,
-                                                             const Wording& say)
+                                                             const Wording& wording)
 {
     constexpr std::array kLabels{TR_NOOP("Report", "80 % bands held at later contacts"),
                                  TR_NOOP("Report", "80 % bands held at later probes"),
@@ -293,8 +295,8 @@ std::vector<std::pair<std::string, std::string>> ledgerFacts(const StripLedger& 
     for (const ScoredBy by : kScoredBy) {
         const StripScore& score = ledger.of(by);
         if (score.n == 0) continue;
-        facts.emplace_back(say(kLabels.at(static_cast<std::size_t>(by))),
-                           say({TR_NOOP("Report", "%1 of %2"), score.in80, score.n}));
+        facts.emplace_back(wording(kLabels.at(static_cast<std::size_t>(by))),
+                           wording({TR_NOOP("Report", "%1 of %2"), score.in80, score.n}));
     }
     return facts;
 }
@@ -302,7 +304,7 @@ std::vector<std::pair<std::string, std::string>> ledgerFacts(const StripLedger& 
 }  // namespace
 
 std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip,
-                                           std::optional<int> only, const Wording& say)
+                                           std::optional<int> only, const Wording& wording)
 {
     const auto columns = static_cast<int>(std::lround(kStripPiece / kBinWidth));
     std::vector<DocumentPicture> pictures;
@@ -311,16 +313,16 @@ std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& s
         const StripSection& section = strip->sections()[k];
         for (auto column = section.columns.begin(); column != section.columns.end();) {
             StripPiece piece{strip, &section, k + 1, column->first, column->first};
-            piece.say = say;
+            piece.wording = wording;
             for (; column != section.columns.end() && column->first < piece.first + columns;
                  ++column)
                 piece.last = column->first;
             setRange(piece);
             pictures.push_back(
                 {kStripWidth, heightOfPicture(piece),
-                 say({TR_NOOP("Report", "Ground of section %1 from %2 to %3 m along the way"),
-                      piece.number, fixed(kBinWidth * piece.first, 1),
-                      fixed(kBinWidth * piece.last, 1)}),
+                 wording({TR_NOOP("Report", "Ground of section %1 from %2 to %3 m along the way"),
+                          piece.number, fixed(kBinWidth * piece.first, 1),
+                          fixed(kBinWidth * piece.last, 1)}),
                  [piece](Canvas& canvas) { StripDrawing(canvas, piece).draw(); }});
         }
     }
@@ -328,7 +330,7 @@ std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& s
 }
 
 DocumentPart stripPart(const std::shared_ptr<const Strip>& strip, std::optional<int> only,
-                       const Wording& say)
+                       const Wording& wording)
 {
     std::size_t columns = 0, sections = 0;
     for (std::size_t k = 0; k < strip->sections().size(); ++k) {
@@ -336,32 +338,33 @@ DocumentPart stripPart(const std::shared_ptr<const Strip>& strip, std::optional<
         columns += strip->sections()[k].columns.size();
         ++sections;
     }
-    DocumentPart part{.heading = say(TR_NOOP("Report", "Strip of felt ground")),
+    DocumentPart part{.heading = wording(TR_NOOP("Report", "Strip of felt ground")),
                       .note = {},
                       .facts = {},
-                      .pictures = stripPictures(strip, only, say),
+                      .pictures = stripPictures(strip, only, wording),
                       .table = {}};
     if (part.pictures.empty())
-        part.note = say(TR_NOOP("Report", "No ground is shown: nothing was estimated, or the robot "
-                                          "reports no odometry."));
-    else
         part.note =
-            say({TR_NOOP("Report", "Ground: %1 m. Sections: %2. Heights are from the IMU at the "
-                                   "first scene of a section; both axes have one scale. Bars reach "
-                                   "from the 0.1 to the 0.9 quantile. At most the last %3 m are "
-                                   "kept."),
-                 fixed(kBinWidth * static_cast<double>(columns), 1), sections,
-                 fixed(kBinWidth * static_cast<double>(StripLimits{}.columns), 0)});
-    if (!only) part.facts = ledgerFacts(strip->ledger(), say);
+            wording(TR_NOOP("Report", "No ground is shown: nothing was estimated, or the robot "
+                                      "reports no odometry."));
+    else
+        part.note = wording(
+            {TR_NOOP("Report", "Ground: %1 m. Sections: %2. Heights are from the IMU at the "
+                               "first scene of a section; both axes have one scale. Bars reach "
+                               "from the 0.1 to the 0.9 quantile. At most the last %3 m are "
+                               "kept."),
+             fixed(kBinWidth * static_cast<double>(columns), 1), sections,
+             fixed(kBinWidth * static_cast<double>(StripLimits{}.columns), 0)});
+    if (!only) part.facts = ledgerFacts(strip->ledger(), wording);
     return part;
 }
 
 Status writeStripPicture(const std::string& path, const std::shared_ptr<const Strip>& strip,
-                         const StripText& text, std::optional<int> only, const Wording& say)
+                         const StripText& text, std::optional<int> only, const Wording& wording)
 {
     if (path.ends_with(".pdf") || path.ends_with(".html"))
-        return writeDocument(path, {text.title, {}, {stripPart(strip, only, say)}, say});
-    const std::vector<DocumentPicture> pieces = stripPictures(strip, only, say);
+        return writeDocument(path, {text.title, {}, {stripPart(strip, only, wording)}, wording});
+    const std::vector<DocumentPicture> pieces = stripPictures(strip, only, wording);
     double height = 0.0;
     std::string words;
     for (const DocumentPicture& piece : pieces) {

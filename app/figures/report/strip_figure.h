@@ -15,15 +15,15 @@ namespace terratact {
 /// one section: left, right, and bands of the 0.1 to 0.9 quantiles. Axes are equal [m], with a
 /// scale. Sides differ by colour, line and band. Shapes show how a bin was felt. A bracket marks
 /// the newest estimate, so all else is remembered. The pictures keep the strip. only: number of the
-/// only section to draw, from 1; empty: all. say: makes the texts.
+/// only section to draw, from 1; empty: all. wording: makes the texts.
 std::vector<DocumentPicture> stripPictures(const std::shared_ptr<const Strip>& strip,
                                            std::optional<int> only = {},
-                                           const Wording& say = inEnglish);
+                                           const Wording& wording = inEnglish);
 inline constexpr double kStripPiece = 6.0;  ///< [m]
 
 /// Returns the pictures with a note as a part of a document.
 DocumentPart stripPart(const std::shared_ptr<const Strip>& strip, std::optional<int> only = {},
-                       const Wording& say = inEnglish);
+                       const Wording& wording = inEnglish);
 
 /// Texts of a file of the strip.
 struct StripText {
@@ -35,6 +35,6 @@ struct StripText {
 /// <metadata>. Errors name the file: another ending, no ground, higher than 20000 px, not writable.
 Status writeStripPicture(const std::string& path, const std::shared_ptr<const Strip>& strip,
                          const StripText& text, std::optional<int> only = {},
-                         const Wording& say = inEnglish);
+                         const Wording& wording = inEnglish);
 
 }  // namespace terratact

@@ -46,7 +46,7 @@ Message stripTitle(const std::string& file)
 
 Status writeStrip(const std::string& path, const std::shared_ptr<const Strip>& strip,
                   const RobotModel& robot, const std::string& title, std::optional<int> section,
-                  const Wording& say)
+                  const Wording& wording)
 {
     const bool isPly = path.ends_with(".ply");
     const bool isPicture = std::ranges::any_of(
@@ -62,7 +62,7 @@ Status writeStrip(const std::string& path, const std::shared_ptr<const Strip>& s
                                  *section, sections)};
     if (isPly) return writeText(path, stripPly(*strip, robot, section));
     std::string csv = stripCsv(*strip, robot, section);
-    return isPicture ? writeStripPicture(path, strip, {title, std::move(csv)}, section, say)
+    return isPicture ? writeStripPicture(path, strip, {title, std::move(csv)}, section, wording)
                      : writeText(path, csv);
 }
 

@@ -24,7 +24,7 @@ Message troubleOf(BusState state, const std::string& bus, const Message& said)
 
 }  // namespace
 
-QString busWords(BusState state, const std::string& bus)
+QString busStateText(BusState state, const std::string& bus)
 {
     return translated(describe(state, format::shownName(bus).toStdString()));
 }

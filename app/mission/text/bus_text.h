@@ -14,7 +14,7 @@
 namespace terratact {
 
 /// Returns the fault of a bus and the command that fixes it.
-QString busWords(BusState state, const std::string& bus);
+QString busStateText(BusState state, const std::string& bus);
 
 /// Returns the bus state in one word: "ACTIVE", "BUS-OFF".
 QString glance(BusState state);

@@ -16,7 +16,7 @@ Message metresOf(int bin)
 
 }  // namespace
 
-Message placeWords(ProbePlace place)
+Message placeMessage(ProbePlace place)
 {
     const Message bin = metresOf(place.bin);
     switch (place.side) {
@@ -24,13 +24,13 @@ Message placeWords(ProbePlace place)
     case ProbeSide::Left: return {TR_NOOP("terratact::Place", "left at %1"), bin};
     case ProbeSide::Right: return {TR_NOOP("terratact::Place", "right at %1"), bin};
     }
-    throw std::invalid_argument("placeWords: no such side");
+    throw std::invalid_argument("placeMessage: no such side");
 }
 
 Message placeName(ProbePlace place)
 {
     if (place.side == ProbeSide::Middle) return metresOf(place.bin);
-    return placeWords(place);
+    return placeMessage(place);
 }
 
 }  // namespace terratact

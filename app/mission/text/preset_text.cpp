@@ -18,7 +18,7 @@ struct CostWords {
     QString name, milliseconds, error, off, converged;
 };
 
-CostWords inWords(const PresetCost& cost)
+CostWords costText(const PresetCost& cost)
 {
     return {translated(describe(cost.preset)), format::number(cost.milliseconds, 1),
             format::number(cost.errorMm, 0), format::number(cost.offMm, 1),
@@ -37,7 +37,7 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
             return c.method == method && c.preset == preset;
         });
         lines << (cost == costs.end() ? unmeasured.arg(translated(describe(preset)))
-                                      : show(inWords(*cost)));
+                                      : show(costText(*cost)));
     }
     return lines;
 }

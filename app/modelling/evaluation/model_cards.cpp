@@ -31,7 +31,7 @@ std::optional<std::time_t> sourceDateEpoch()
 
 std::string nameOf(const std::string& path)
 {
-    return cardWords(std::filesystem::path(path).filename().string());
+    return cardText(std::filesystem::path(path).filename().string());
 }
 
 }  // namespace

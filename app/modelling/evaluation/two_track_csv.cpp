@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::array<const char*, 2> kSideWords{"left", "right"};
+constexpr std::array<const char*, 2> kSideNames{"left", "right"};
 constexpr std::size_t kFields = 22, kTrueHeight = 12;
 
 void addSide(std::string& csv, const TwoTrackScene& scene, const TwoTrackEstimate& estimate,
@@ -22,7 +22,7 @@ void addSide(std::string& csv, const TwoTrackScene& scene, const TwoTrackEstimat
     for (std::size_t i = 0; i < kBins; ++i)
         csv += csvLine({scene.run,
                         scene.time,
-                        kSideWords[side],
+                        kSideNames[side],
                         signedTenth(binCentre(static_cast<int>(i))),
                         e.height[i],
                         e.mean[i],
@@ -49,7 +49,7 @@ void addUnknown(std::string& csv, const TwoTrackScene& scene)
 {
     for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t i = 0; i < kBins; ++i) {
-            std::array<CsvValue, kFields> fields{scene.run, scene.time, kSideWords[side],
+            std::array<CsvValue, kFields> fields{scene.run, scene.time, kSideNames[side],
                                                  signedTenth(binCentre(static_cast<int>(i)))};
             fields[kTrueHeight] = scene.truth[side][i];
             csv += csvLine(fields);

@@ -91,13 +91,13 @@ std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<
 
 std::string ledgerText(const StripLedger& ledger)
 {
-    constexpr std::array kTouchWords{"contacts", "probes", "passes"};
+    constexpr std::array kTouchKinds{"contacts", "probes", "passes"};
     std::string text;
     for (const ScoredBy by : kScoredBy) {
         const StripScore& score = ledger.of(by);
         if (score.n == 0) continue;
         text += text.empty() ? "80 % bands held at later " : ", ";
-        text += fmt::format("{}: {} of {}", kTouchWords.at(static_cast<std::size_t>(by)),
+        text += fmt::format("{}: {} of {}", kTouchKinds.at(static_cast<std::size_t>(by)),
                             score.in80, score.n);
     }
     return text;

@@ -29,7 +29,7 @@ std::string field(double value)
 }
 
 /// Returns the known changes of one flipper's forces [N], "--" for others.
-QString forcesWords(const Measurement& from, const Measurement& to, bool isLeft)
+QString forceDifferenceText(const Measurement& from, const Measurement& to, bool isLeft)
 {
     const auto& before = isLeft ? from.sides.left : from.sides.right;
     const auto& after = isLeft ? to.sides.left : to.sides.right;
@@ -49,7 +49,7 @@ bool changedBySides(const Measurement& from, const Measurement& to)
         || std::abs(to.roll - from.roll) > kNoise;
 }
 
-QString sidesWords(const ReviewMoment& a, const ReviewMoment& b)
+QString sideDifferenceText(const ReviewMoment& a, const ReviewMoment& b)
 {
     const Measurement &from = *a.measurement, &to = *b.measurement;
     const QString time = format::signedNumber(secondsOf(b.time - a.time), 3);
@@ -60,16 +60,16 @@ QString sidesWords(const ReviewMoment& a, const ReviewMoment& b)
              format::angle(to.frontLeft - from.frontLeft),
              format::angle(to.frontRight - from.frontRight),
              format::angle(to.rearLeft - from.rearLeft),
-             format::angle(to.rearRight - from.rearRight), forcesWords(from, to, true),
-             forcesWords(from, to, false));
+             format::angle(to.rearRight - from.rearRight), forceDifferenceText(from, to, true),
+             forceDifferenceText(from, to, false));
 }
 
 }  // namespace
 
-QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
+QString differenceText(const ReviewMoment& a, const ReviewMoment& b)
 {
     const bool both = a.measurement && b.measurement;
-    if (both && changedBySides(*a.measurement, *b.measurement)) return sidesWords(a, b);
+    if (both && changedBySides(*a.measurement, *b.measurement)) return sideDifferenceText(a, b);
     const Measurement from = a.measurement.value_or(Measurement{});
     const Measurement to = b.measurement.value_or(Measurement{});
     const Proprioception first = proprioception(from), second = proprioception(to);

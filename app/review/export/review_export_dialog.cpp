@@ -51,9 +51,9 @@ bool holdsSignals(const ExportChoice& choice)
         && (!choice.rows || *choice.rows == ExportKind::Signals);
 }
 
-QString spanWords(double first, double last)
+QString spanText(double first, double last)
 {
-    return ReviewExportDialog::tr("%1 to %2").arg(timeWords(first), timeWords(last));
+    return ReviewExportDialog::tr("%1 to %2").arg(timeText(first), timeText(last));
 }
 
 /// Returns a default path without ending in the documents folder. The name states content and time, so that two exports
@@ -256,13 +256,13 @@ void ReviewExportDialog::showViewState()
     const QString visible = viewState_.isCursors ? tr("from A to B, %1")
                           : all                  ? tr("what is visible: all, %1")
                                                  : tr("what is visible, %1");
-    visible_->setText(visible.arg(spanWords(viewState_.first, viewState_.last)));
-    everything_->setText(tr("everything, %1").arg(spanWords(viewState_.begin, viewState_.end)));
+    visible_->setText(visible.arg(spanText(viewState_.first, viewState_.last)));
+    everything_->setText(tr("everything, %1").arg(spanText(viewState_.begin, viewState_.end)));
     const ExportSource from = chosen(*what_).from;
     moment_->setText(
         from == ExportSource::Mission || from == ExportSource::Strip
-            ? tr("the whole session, %1").arg(spanWords(viewState_.begin, viewState_.end))
-        : from != ExportSource::Report ? tr("this time, %1").arg(timeWords(viewState_.now))
+            ? tr("the whole session, %1").arg(spanText(viewState_.begin, viewState_.end))
+        : from != ExportSource::Report ? tr("this time, %1").arg(timeText(viewState_.now))
         : viewState_.scene > 0         ? tr("scene %1").arg(viewState_.scene)
                                        : tr("there is no estimate at this time"));
     moment_->setVisible(from != ExportSource::Rows);

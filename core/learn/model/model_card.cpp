@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxWords = 100;
+constexpr std::size_t kMaxCardText = 100;
 constexpr double kMaxEvaluated = 1e9;
 constexpr double kMaxError = 10.0;  // [m]: heights are within ±5 m
 
@@ -203,9 +203,9 @@ void addScores(ModelCard& card, CardScores scores)
     if (card.scores.size() > kMaxCardScores) card.scores.erase(card.scores.begin());
 }
 
-std::string cardWords(std::string_view words)
+std::string cardText(std::string_view words)
 {
-    std::string out(words.substr(0, kMaxWords));
+    std::string out(words.substr(0, kMaxCardText));
     std::replace_if(
         out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return out.empty() ? "unnamed" : out;

@@ -76,7 +76,7 @@ void addScores(ModelCard& card, CardScores scores);
 
 /// Returns a text from a user, such as a file name, in the form of a card. It has at most 100
 /// printable ASCII characters; others become '?'. An empty text becomes "unnamed".
-std::string cardWords(std::string_view words);
+std::string cardText(std::string_view words);
 
 /// Statistics of a model's training ground.
 struct TrainingGround {

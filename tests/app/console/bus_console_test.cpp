@@ -291,7 +291,7 @@ TEST_F(BusConsole, disarmedRobotEndsTheExploration)
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(window->exploration().state().failure, AtemFailure::Disarmed);
-    EXPECT_EQ(window->exploration().stateWords().english(),
+    EXPECT_EQ(window->exploration().stateText().english(),
               "the robot is not armed: disarmed by the operator");
     picture("disarmed-while-exploring");
 }

@@ -86,7 +86,7 @@ TEST(Languages, messagesOfTheCoreAreTranslatedWithTheirNumbers)
         ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
         for (const BusState state : kBusStates) {
             const QString english = QString::fromStdString(describe(state, "can0").english());
-            const QString translated = busWords(state, "can0");
+            const QString translated = busStateText(state, "can0");
             EXPECT_NE(translated, english) << language;
             EXPECT_TRUE(translated.startsWith("can0")) << translated.toStdString();
             const auto command = [](const QString& text) { return text.section(" (", -1); };

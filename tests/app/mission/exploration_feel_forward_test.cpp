@@ -80,7 +80,7 @@ TEST_F(LoopBench, goesOnWhileItIsHeldAndTheWayIsClear)
     EXPECT_NEAR(exploration->pace().way, 2.0 * kAdvance, 1e-9);
     EXPECT_GT(exploration->pace().metresPerMinute(now), 0.0);
     EXPECT_TRUE(exploration->state().loops);
-    EXPECT_TRUE(mentions(exploration->stateWords(), "feel forward: advancing"));
+    EXPECT_TRUE(mentions(exploration->stateText(), "feel forward: advancing"));
     EXPECT_TRUE(tells("advancing 0.1 m: CLEAR for 0.30 m ahead of the tracks"));
     ASSERT_TRUE(comesTo(AtemPhase::Halting));
     EXPECT_NEAR(exploration->pace().way, 3.0 * kAdvance, 1e-9);
@@ -158,7 +158,7 @@ TEST_F(LoopBench, stopsAndAsksWhereTheGroundIsNotFelt)
     EXPECT_EQ(phase(), AtemPhase::Presenting);
     EXPECT_EQ(sent<AdvanceCommand>(), 0);
     EXPECT_TRUE(tells("feel forward has ended after 0.00 m"));
-    EXPECT_TRUE(mentions(exploration->stateWords(), "BLOCKED: there is a step ahead"));
+    EXPECT_TRUE(mentions(exploration->stateText(), "BLOCKED: there is a step ahead"));
     for (int i = 0; i < 50; ++i) step();
     EXPECT_EQ(sent<PressCommand>(), 1) << "a held control begins nothing new";
 }
@@ -219,7 +219,7 @@ TEST_F(LoopBench, aRefusedAdvanceFailsWithTheRobotsReason)
     exploration->feelForward();
     ASSERT_TRUE(comesTo(AtemPhase::Failed));
     EXPECT_EQ(exploration->state().failure, AtemFailure::AdvanceRefused);
-    EXPECT_TRUE(mentions(exploration->stateWords(), "the advance was refused"));
+    EXPECT_TRUE(mentions(exploration->stateText(), "the advance was refused"));
 }
 
 TEST_F(LoopBench, anAdvanceThatCannotBeSentFails)
@@ -229,7 +229,7 @@ TEST_F(LoopBench, anAdvanceThatCannotBeSentFails)
     source.setDeaf(true);
     ASSERT_TRUE(comesTo(AtemPhase::Failed));
     EXPECT_EQ(exploration->state().failure, AtemFailure::NotSent);
-    EXPECT_TRUE(mentions(exploration->stateWords(), "the bus is off"));
+    EXPECT_TRUE(mentions(exploration->stateText(), "the bus is off"));
 }
 
 TEST_F(LoopBench, staleTelemetryEndsAnAdvance)
@@ -251,7 +251,7 @@ TEST_F(LoopBench, aTiltEndsAnAdvance)
     step();
     EXPECT_EQ(phase(), AtemPhase::Idle);
     EXPECT_EQ(end(), LoopEnd::Attitude);
-    EXPECT_TRUE(mentions(exploration->stateWords(), "pitch or roll is near its limit"));
+    EXPECT_TRUE(mentions(exploration->stateText(), "pitch or roll is near its limit"));
 }
 
 TEST_F(LoopBench, stopEndsItAndIsSentAtOnce)

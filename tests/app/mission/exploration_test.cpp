@@ -94,11 +94,11 @@ TEST_F(Bench, reasonOfTheRobotsRefusalIsShown)
     tick(3);
     ASSERT_EQ(exploration->state().failure, AtemFailure::ProbeRefused);
     const QString why = "the robot refused the probe: the arm does not reach that bin";
-    EXPECT_EQ(translated(exploration->stateWords()), why);
+    EXPECT_EQ(translated(exploration->stateText()), why);
     EXPECT_TRUE(events.contains("exploration failed: " + why)) << events.join('\n').toStdString();
     telemetry.refusal = Refusal::None;
     tick(10);
-    EXPECT_EQ(translated(exploration->stateWords()), why)
+    EXPECT_EQ(translated(exploration->stateText()), why)
         << "also when the robot is asked for other things";
 }
 
@@ -132,7 +132,7 @@ TEST_F(Bench, aRobotThatWasNeverAskedHasNotRefused)
     exploration->request();
     ASSERT_TRUE(reaches(AtemPhase::Failed));
     EXPECT_EQ(exploration->state().failure, AtemFailure::NotSent);
-    EXPECT_EQ(exploration->stateWords().english(), "a command could not be sent: the bus is off");
+    EXPECT_EQ(exploration->stateText().english(), "a command could not be sent: the bus is off");
 }
 
 TEST_F(Bench, anOldRefusalIsNotTheAnswerToANewCommand)

@@ -100,7 +100,7 @@ struct SimulatedExploration {
     }
     const Estimation& estimation() const { return exploration.estimation(); }
     Method method() const { return estimation().estimate()->side[0].settings.method; }
-    std::string memory() const { return translated(estimation().memoryWords()).toStdString(); }
+    std::string memory() const { return translated(estimation().memoryText()).toStdString(); }
     std::string eventText() const { return events.join('\n').toStdString(); }
 
     Exploration::Options options;

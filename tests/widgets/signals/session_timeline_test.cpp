@@ -146,11 +146,11 @@ TEST_F(TheTimeline, drawsAGapAcrossAllLanesAndNeverWhatIsNotFinite)
 
 TEST(TimeWords, areAsShortAsTheStepAllows)
 {
-    EXPECT_EQ(timeWords(3723.4567), "1:02:03.457");
-    EXPECT_EQ(timeWords(3723.4567, 1.0), "1:02:03");
-    EXPECT_EQ(timeWords(59.9996), "0:01:00.000");
-    EXPECT_EQ(timeWords(-1.5, 0.1), QString(QChar(0x2212)) + "0:00:01.5");
-    for (const double hostile : kHostile) EXPECT_EQ(timeWords(hostile), "--");
+    EXPECT_EQ(timeText(3723.4567), "1:02:03.457");
+    EXPECT_EQ(timeText(3723.4567, 1.0), "1:02:03");
+    EXPECT_EQ(timeText(59.9996), "0:01:00.000");
+    EXPECT_EQ(timeText(-1.5, 0.1), QString(QChar(0x2212)) + "0:00:01.5");
+    for (const double hostile : kHostile) EXPECT_EQ(timeText(hostile), "--");
 }
 
 }  // namespace

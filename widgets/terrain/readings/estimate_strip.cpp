@@ -39,7 +39,7 @@ QString methodName(Method method)
 }
 
 /// Returns the reason that sampling ended; empty: nothing was sampled.
-QString endingWords(Ending ending)
+QString endingText(Ending ending)
 {
     switch (ending) {
     case Ending::Converged: return EstimateStrip::tr("ended: converged");
@@ -148,7 +148,7 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     const QString method = methodName(estimate.settings.method);
     const QString made =
         tr("%1 · %2 draws · %3").arg(method).arg(estimate.draws.size()).arg(format::age(seconds));
-    const QString ended = endingWords(estimate.ending);
+    const QString ended = endingText(estimate.ending);
     QString all = ended.isEmpty() ? made : made + dot + ended;
     const QString shown = estimate.ending == Ending::Time ? all : made;
     detailTexts_ = {shown};

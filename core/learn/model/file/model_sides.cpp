@@ -14,7 +14,7 @@ namespace terratact::model_file {
 namespace {
 
 constexpr const char* kRowTable = "side_row";
-constexpr std::array<const char*, 2> kSideWords{"left", "right"};
+constexpr std::array<const char*, 2> kSideNames{"left", "right"};
 constexpr std::array<const char*, kSideFeatures> kFeatureNames{
     "pitch",         "roll",          "front_left",    "rear_left",     "front_right",
     "rear_right",    "front_left_a",  "rear_left_a",   "front_right_a", "rear_right_a",
@@ -29,7 +29,7 @@ std::string rowColumns()
         columns += ", \"" + column + "\" INTEGER NOT NULL";
     };
     for (const char* feature : kFeatureNames) add(feature);
-    for (const std::string side : kSideWords) {
+    for (const std::string side : kSideNames) {
         add(side + "_covered_bins");
         for (const Column& height : heightColumns()) add(side + "_" + std::string(height.name));
         for (const Column& height : heightColumns())

@@ -23,9 +23,9 @@ TEST(ConsoleDiagnostics, countEstimatesThatContradictTheReadings)
 
 TEST(ConsoleDiagnostics, nameTheFixForAKernelWithoutCan)
 {
-    const auto lastLine = [](int error) { return canSocketWords(error).section('\n', -1); };
-    EXPECT_EQ(canSocketWords(0), "✔ possible");
-    EXPECT_EQ(canSocketWords(EAFNOSUPPORT),
+    const auto lastLine = [](int error) { return canSocketText(error).section('\n', -1); };
+    EXPECT_EQ(canSocketText(0), "✔ possible");
+    EXPECT_EQ(canSocketText(EAFNOSUPPORT),
               "✘ not possible: the kernel has no CAN sockets (Address family not supported by "
               "protocol)\n"
               "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)");
@@ -33,7 +33,7 @@ TEST(ConsoleDiagnostics, nameTheFixForAKernelWithoutCan)
     EXPECT_EQ(lastLine(ENOMEM),
               "✘ not possible: a CAN socket cannot be opened (Cannot allocate memory)");
     const ForeignTongue foreign;
-    const QString words = canSocketWords(EAFNOSUPPORT);
+    const QString words = canSocketText(EAFNOSUPPORT);
     EXPECT_FALSE(words.contains(QRegularExpression("[A-Za-z]"))) << words.toStdString();
 }
 

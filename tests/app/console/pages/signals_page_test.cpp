@@ -65,12 +65,12 @@ TEST(Load, marksAnAssumedOrUnknownBitRate)
     BusLoad load;
     load.fewestBits = 100'000.0;
     load.mostBits = 120'000.0;
-    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0}),
+    EXPECT_EQ(busLoadText(load, {.bitsPerSecond = 500'000.0}),
               "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with the most possible)");
-    EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
+    EXPECT_EQ(busLoadText(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
               "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with the most "
               "possible)");
-    EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
+    EXPECT_EQ(busLoadText(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
 }
 
 TEST(Filter, takesAnIdentifierOrAPartOfTheName)

@@ -387,7 +387,7 @@ void Screens::explore()
     ASSERT_TRUE(eventually(
         [&] { return phase() == AtemPhase::ProposingProbe || !exploring(phase()); }, kPatience));
     ASSERT_EQ(phase(), AtemPhase::ProposingProbe)
-        << describe(phase()).english << ": " << exploration.stateWords().english();
+        << describe(phase()).english << ": " << exploration.stateText().english();
     ASSERT_TRUE(eventually(
         [&] { return console->probeCard()->shown() || phase() != AtemPhase::ProposingProbe; },
         kPatience));

@@ -59,7 +59,7 @@ TEST_F(Screens, stop)
             "stop_not_sent",
             {StatusHeader::tr("STOP NOT SENT"),
              StopDisplay::tr("STOP NOT SENT for %1, trying again: use the robot's own switch — %2"),
-             busWords(BusState::BusOff, "can0")});
+             busStateText(BusState::BusOff, "can0")});
     });
 }
 
@@ -78,7 +78,7 @@ TEST_F(Screens, trouble)
         picture("alarms_of_a_lost_link", {lost, translated(TR_NOOP("core", "link lost"))});
         press(Qt::Key_F2);
         bus.setState(BusState::BusOff, "can0");
-        picture("bus_off", {lost, busWords(BusState::BusOff, "can0")});
+        picture("bus_off", {lost, busStateText(BusState::BusOff, "can0")});
 
         open({.hasPanel = true});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));

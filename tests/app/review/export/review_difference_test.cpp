@@ -19,12 +19,11 @@ TEST(ReviewDifference, hasBothSidesWhereTheyChangedByOtherAmounts)
     ReviewMoment a{.measurement = Measurement{}},
         b{.time = 1'000'000'000, .measurement = Measurement{}};
     b.measurement->frontLeft = b.measurement->frontRight = 0.1;
-    EXPECT_TRUE(differenceWords(a, b).contains("front +5.7°"))
-        << differenceWords(a, b).toStdString();
+    EXPECT_TRUE(differenceText(a, b).contains("front +5.7°")) << differenceText(a, b).toStdString();
     b.measurement->frontRight = -0.1;
     a.measurement->sides.left[5] = 1.0;
     b.measurement->sides.left[5] = 3.5;
-    const QString words = differenceWords(a, b);
+    const QString words = differenceText(a, b);
     EXPECT_TRUE(words.contains("front left +5.7° right -5.7°")
                 || words.contains("front left +5.7° right −5.7°"))
         << words.toStdString();

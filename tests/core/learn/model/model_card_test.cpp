@@ -131,10 +131,10 @@ TEST(ModelCard, theOldestScoresMakeRoom)
 
 TEST(ModelCard, acceptsAnyTextFromAUser)
 {
-    EXPECT_EQ(cardWords("varied.csv"), "varied.csv");
-    EXPECT_EQ(cardWords("\xff\n~"), "??~");
-    EXPECT_EQ(cardWords(std::string(300, 'x')).size(), 100U);
-    EXPECT_EQ(cardWords(""), "unnamed");
+    EXPECT_EQ(cardText("varied.csv"), "varied.csv");
+    EXPECT_EQ(cardText("\xff\n~"), "??~");
+    EXPECT_EQ(cardText(std::string(300, 'x')).size(), 100U);
+    EXPECT_EQ(cardText(""), "unnamed");
 }
 
 TEST(ModelCard, computesTrainingGroundStatistics)
