@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSaveAfter = 300;  // [ms] after the last decision
 constexpr int kButtonsInARow = 6;
-constexpr int kListLetters = 44;  // width of the list
+constexpr int kListCharacters = 44;  // width of the list
 
 /// Adds a nudge to heights and slice.
 void nudgeScene(TruthView::Scene& scene, const TruthDecision& nudge)
@@ -145,7 +145,7 @@ void TruthPage::build()
     split->addWidget(list);
     split->addWidget(scene);
     split->setStretchFactor(1, 1);
-    list->setMinimumWidth(fontMetrics().averageCharWidth() * kListLetters);
+    list->setMinimumWidth(fontMetrics().averageCharWidth() * kListCharacters);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 10);
     column->addWidget(split, 1);
@@ -195,7 +195,7 @@ bool TruthPage::eventFilter(QObject* watched, QEvent* event)
 void TruthPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (changesLetters(*event) && table_) fitColumns();
+    if (changesFont(*event) && table_) fitColumns();
 }
 
 void TruthPage::showState(const QString& text)

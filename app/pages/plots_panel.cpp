@@ -395,7 +395,7 @@ void PlotsPanel::setDocked(bool docked)
 void PlotsPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (changesLetters(*event) && remove_) resizeToFont();
+    if (changesFont(*event) && remove_) resizeToFont();
 }
 
 void PlotsPanel::resizeToFont()

@@ -146,7 +146,7 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
 void ReviewEventsPage::changeEvent(QEvent* event)
 {
     Page::changeEvent(event);
-    if (changesLetters(*event) && table_) resizeToFont();
+    if (changesFont(*event) && table_) resizeToFont();
 }
 
 void ReviewEventsPage::resizeToFont()

@@ -185,7 +185,7 @@ void ScenesPage::showEvent(QShowEvent* event)
 void ScenesPage::changeEvent(QEvent* event)
 {
     Page::changeEvent(event);
-    if (changesLetters(*event) && table_) resizeToFont();
+    if (changesFont(*event) && table_) resizeToFont();
 }
 
 void ScenesPage::resizeToFont()

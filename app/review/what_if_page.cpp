@@ -86,7 +86,7 @@ WhatIfPage::~WhatIfPage() = default;
 void WhatIfPage::changeEvent(QEvent* event)
 {
     Page::changeEvent(event);
-    if (changesLetters(*event) && form_) resizeToFont();
+    if (changesFont(*event) && form_) resizeToFont();
 }
 
 void WhatIfPage::resizeToFont()

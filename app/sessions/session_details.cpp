@@ -122,7 +122,7 @@ QString SessionDetails::text() const
 void SessionDetails::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (changesLetters(*event)) resizeToFont();
+    if (changesFont(*event)) resizeToFont();
 }
 
 void SessionDetails::resizeToFont()

@@ -111,7 +111,7 @@ void SessionListView::spanReasons()
 void SessionListView::changeEvent(QEvent* event)
 {
     QTableView::changeEvent(event);
-    if (changesLetters(*event)) resizeToFont();
+    if (changesFont(*event)) resizeToFont();
 }
 
 void SessionListView::keyPressEvent(QKeyEvent* event)

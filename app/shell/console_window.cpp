@@ -303,7 +303,7 @@ bool ConsoleWindow::event(QEvent* event)
     const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
     if (needed.expandedTo(room()) != room() && !isSmallest) {
         trying_ = largestToTry();
-        fitLettersInTurns();
+        fitFontInTurns();
     } else {
         setLeast(needed.expandedTo(minimumSize()));
     }
@@ -329,7 +329,7 @@ void ConsoleWindow::showEvent(QShowEvent* event)
         prepare_.start(kPrepareEvery);
     }
     if (event->spontaneous() || fits_) return;
-    const auto refit = [this] { QTimer::singleShot(0, this, &ConsoleWindow::fitLetters); };
+    const auto refit = [this] { QTimer::singleShot(0, this, &ConsoleWindow::fitFont); };
     const auto watch = [this, refit](const QScreen* screen) {
         connect(screen, &QScreen::availableGeometryChanged, this, refit);
     };
@@ -338,7 +338,7 @@ void ConsoleWindow::showEvent(QShowEvent* event)
         refit();
     });
     watch(screen());
-    fitLetters();
+    fitFont();
     refit();  // once the frame size is known
 }
 

@@ -125,10 +125,10 @@ private:
     void setLeast(QSize needed);
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
-    void fitLetters();  ///< fits the font at once
+    void fitFont();  ///< fits the font at once
     /// Fits the font from trying_ down. Each scale takes several turns of the event loop:
     /// font, hidden pages, layout.
-    void fitLettersInTurns();
+    void fitFontInTurns();
     void fitInThisTurn();
     void fitAtOnce();   ///< fits the font from trying_ down; trying_ is applied
     void applyTried();  ///< applies trying_

@@ -20,18 +20,18 @@ namespace terratact {
 void ConsoleWindow::setRoom(QSize room)
 {
     room_ = room;
-    fitLetters();
+    fitFont();
 }
 
 void ConsoleWindow::setLook(ThemeName theme, int wanted)
 {
-    const bool sameLetters = wanted == wanted_ && fits_;
+    const bool sameFont = wanted == wanted_ && fits_;
     if (theme == theme_ && wanted == wanted_) return arrange();
     theme_ = theme;
     wanted_ = wanted;
-    if (!sameLetters) {
+    if (!sameFont) {
         trying_ = largestToTry();
-        return fitLettersInTurns();
+        return fitFontInTurns();
     }
     // Themes do not differ in size.
     applyLook(*qApp, theme_, lookInForce().fontScale);
@@ -47,7 +47,7 @@ void ConsoleWindow::fitToFrame()
 {
     if (!fits_ || frame() == frame_) return;
     trying_ = largestToTry();
-    fitLettersInTurns();
+    fitFontInTurns();
 }
 
 QSize ConsoleWindow::room() const
@@ -135,10 +135,10 @@ int ConsoleWindow::largestToTry() const
 {
     const bool known = tooLarge_ && tooLarge_->room == room()
                     && tooLarge_->arrangement == arrangement() && tooLarge_->percent <= wanted_;
-    return known ? std::max(tooLarge_->percent - kLetterStep, kSmallestFont) : wanted_;
+    return known ? std::max(tooLarge_->percent - kFontStep, kSmallestFont) : wanted_;
 }
 
-void ConsoleWindow::fitLetters()
+void ConsoleWindow::fitFont()
 {
     trying_ = largestToTry();
     applyTried();
@@ -160,7 +160,7 @@ void ConsoleWindow::fitAtOnce()
     }
 }
 
-void ConsoleWindow::fitLettersInTurns()
+void ConsoleWindow::fitFontInTurns()
 {
     setUpdatesEnabled(false);  // hides the intermediate font sizes
     applyTried();
@@ -172,7 +172,7 @@ void ConsoleWindow::fitInThisTurn()
     constexpr int kTurn = 5;  // [ms]
     // The window has the size that the largest of its pages needs, so all of them count.
     if (!styleHiddenPages(kTurn)) return tryLater_.start(0);
-    if (!triedFits()) fitLettersInTurns();
+    if (!triedFits()) fitFontInTurns();
 }
 
 void ConsoleWindow::applyTried()
@@ -193,7 +193,7 @@ bool ConsoleWindow::triedFits()
     if (needed.expandedTo(room()) != room()) {
         tooLarge_ = TooLarge{trying_, room(), arrangement()};
         if (trying_ > kSmallestFont) {
-            trying_ = smallerLetters(trying_, needed, room());
+            trying_ = smallerFont(trying_, needed, room());
             return false;
         }
     }

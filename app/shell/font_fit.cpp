@@ -18,7 +18,7 @@ struct Letters {
 
 }  // namespace
 
-int smallerLetters(int percent, QSize needs, QSize room)
+int smallerFont(int percent, QSize needs, QSize room)
 {
     const auto share = [](int has, int wants) {
         return static_cast<double>(has) / std::max(wants, 1);
@@ -26,8 +26,8 @@ int smallerLetters(int percent, QSize needs, QSize room)
     const double fits =
         percent
         * std::min(share(room.width(), needs.width()), share(room.height(), needs.height()));
-    const int steps = static_cast<int>(std::ceil((percent - fits) / kLetterStep - 1e-9));
-    return std::max(percent - std::max(steps, 1) * kLetterStep, kSmallestFont);
+    const int steps = static_cast<int>(std::ceil((percent - fits) / kFontStep - 1e-9));
+    return std::max(percent - std::max(steps, 1) * kFontStep, kSmallestFont);
 }
 
 void forgetSizes(QWidget& widget)
@@ -36,7 +36,7 @@ void forgetSizes(QWidget& widget)
     for (QLayout* layout : widget.findChildren<QLayout*>()) layout->invalidate();
 }
 
-QString lettersNote(int wanted)
+QString fontNote(int wanted)
 {
     const int inForce = lookInForce().fontScale;
     if (inForce >= wanted) return {};

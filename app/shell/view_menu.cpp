@@ -74,9 +74,9 @@ QList<ViewChoice> viewChoices()
         fontStep(
             ViewMenu::tr("larger text"),
             {QKeyCombination(Qt::CTRL, Qt::Key_Plus), QKeyCombination(Qt::CTRL, Qt::Key_Equal)},
-            +kLetterStep),
+            +kFontStep),
         fontStep(ViewMenu::tr("smaller text"), {QKeyCombination(Qt::CTRL, Qt::Key_Minus)},
-                 -kLetterStep),
+                 -kFontStep),
         {ViewMenu::tr("normal text size"), {QKeyCombination(Qt::CTRL, Qt::Key_0)}, normal, {}},
         {},
         languageChoice(QStringLiteral("English"), "en"),
@@ -118,7 +118,7 @@ ViewMenu::ViewMenu(PreferenceStore& preferences, const QString& newWindow, QWidg
     QAction* note = addAction(QString());
     note->setEnabled(false);
     connect(this, &QMenu::aboutToShow, note, [&preferences, note] {
-        note->setText(lettersNote(preferences.current().fontScale));
+        note->setText(fontNote(preferences.current().fontScale));
         note->setVisible(!note->text().isEmpty());
     });
 }

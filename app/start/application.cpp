@@ -61,7 +61,7 @@ void setSize(ConsoleWindow& window, const ConsoleOptions& options, const QByteAr
 }
 
 /// Returns false if no font is installed. Qt then draws a box for every letter.
-bool lettersExist()
+bool hasFont()
 {
     return !QFontInfo(QApplication::font()).family().isEmpty();
 }
@@ -103,7 +103,7 @@ Status Application::start(const Preferences& preferences, bool pictures)
         application_.emplace(argc_, argv_);
         windowsCanOpen();
     }
-    if (!lettersExist())
+    if (!hasFont())
         return Error{TR_NOOP("Application", "no font is installed, so no text could be read: "
                                             "install one, such as fonts-dejavu-core")};
     QApplication::setApplicationName(QStringLiteral("terratact-console"));

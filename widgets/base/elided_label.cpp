@@ -16,9 +16,9 @@ void ElidedLabel::setUsual(const QStringList& texts)
     updateGeometry();
 }
 
-void ElidedLabel::setLeastLetters(int letters)
+void ElidedLabel::setMinCharacters(int letters)
 {
-    leastLetters_ = letters;
+    minCharacters_ = letters;
     updateGeometry();
 }
 
@@ -47,7 +47,7 @@ QSize ElidedLabel::sizeHint() const
 
 QSize ElidedLabel::minimumSizeHint() const
 {
-    const int least = widthOf(QString(leastLetters_, QLatin1Char('n')));
+    const int least = widthOf(QString(minCharacters_, QLatin1Char('n')));
     return {std::min(sizeHint().width(), least), QLabel::sizeHint().height()};
 }
 

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-bool changesLetters(const QEvent& event)
+bool changesFont(const QEvent& event)
 {
     return event.type() == QEvent::StyleChange || event.type() == QEvent::FontChange;
 }
@@ -82,7 +82,7 @@ void PlainTable::setWidest(QList<QStringList> widest)
 void PlainTable::changeEvent(QEvent* event)
 {
     QTableView::changeEvent(event);
-    if (changesLetters(*event)) resizeToFont();
+    if (changesFont(*event)) resizeToFont();
 }
 
 void PlainTable::resizeToFont()

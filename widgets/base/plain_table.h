@@ -9,7 +9,7 @@
 namespace terratact {
 
 /// Returns true for events that follow a change of the font size.
-bool changesLetters(const QEvent& event);
+bool changesFont(const QEvent& event);
 
 /// Returns the width [px] of a column that fits its heading and all texts. letters: font metrics of the table or of its
 /// parent, which may have a new font earlier.

@@ -22,7 +22,7 @@ namespace {
 
 // [px]; the gap keeps other controls away from STOP
 constexpr int kBetween = 7, kBetweenLines = 6, kBeforeStop = 12;
-constexpr int kSourceLetters = 24;  // enough letters to distinguish sources
+constexpr int kSourceCharacters = 24;  // enough letters to distinguish sources
 
 /// Returns the minimum width [px] of the items that are not hidden.
 int widthOf(const QList<QWidget*>& row)
@@ -120,7 +120,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     source_ = new ElidedLabel(this);
     source_->setObjectName(QStringLiteral("sourceName"));
     source_->setAccessibleName(tr("Where the data come from"));
-    source_->setLeastLetters(kSourceLetters);
+    source_->setMinCharacters(kSourceCharacters);
     const auto chip = [this](const QString& name) {
         auto* label = new ElidedLabel(this);
         label->setProperty("chip", true);

@@ -145,7 +145,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
 void AlarmTable::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (changesLetters(*event) && table_) resizeToFont();
+    if (changesFont(*event) && table_) resizeToFont();
 }
 
 void AlarmTable::resizeToFont()

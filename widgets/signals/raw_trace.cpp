@@ -176,7 +176,7 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
 void RawTrace::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (changesLetters(*event) && filter_) resizeToFont();
+    if (changesFont(*event) && filter_) resizeToFont();
 }
 
 void RawTrace::resizeToFont()

@@ -285,11 +285,11 @@ void SettingsPage::buildLook(QFormLayout* form)
     whole(form, tr("Size of text"), kSmallestFont, kLargestFont, QStringLiteral("%"),
           tr("Ctrl + and Ctrl −"), &Preferences::fontScale)
         ->setSingleStep(10);
-    lettersNote_ = new PlainLabel(this);
-    setTone(*lettersNote_, Tone::Warning);
-    lettersNote_->setWordWrap(true);
-    lettersNote_->hide();
-    addField(*form, QString(), lettersNote_);
+    fontNote_ = new PlainLabel(this);
+    setTone(*fontNote_, Tone::Warning);
+    fontNote_->setWordWrap(true);
+    fontNote_->hide();
+    addField(*form, QString(), fontNote_);
     language_ = choice(
         form, tr("Language"),
         {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
@@ -442,8 +442,8 @@ void SettingsPage::refresh(double /*now*/)
     const bool own = !store_.current().model.isEmpty();
     shippedModel_->setEnabled(own);
     setTip(*shippedModel_, own ? shippedTip() : shippedInUseTip());
-    lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
-    lettersNote_->setVisible(!lettersNote_->text().isEmpty());
+    fontNote_->setText(terratact::fontNote(store_.current().fontScale));
+    fontNote_->setVisible(!fontNote_->text().isEmpty());
 }
 
 }  // namespace terratact

@@ -39,7 +39,7 @@ public:
     QComboBox* probesBox() const { return probes_; }
     QDoubleSpinBox* thresholdBox() const { return threshold_; }
     QDoubleSpinBox* obstacleBox() const { return obstacle_; }
-    QLabel* lettersNote() const { return lettersNote_; }
+    QLabel* fontNote() const { return fontNote_; }
     QPushButton* modelButton() const { return chooseModel_; }
     QPushButton* robotButton() const { return chooseRobot_; }
     QSpinBox* secondsBox() const { return seconds_; }
@@ -90,7 +90,7 @@ private:
     QDoubleSpinBox* threshold_ = nullptr;
     QDoubleSpinBox* obstacle_ = nullptr;
     QComboBox* theme_ = nullptr;
-    QLabel* lettersNote_ = nullptr;
+    QLabel* fontNote_ = nullptr;
     QComboBox* language_ = nullptr;
     QComboBox* lengths_ = nullptr;
     QComboBox* angles_ = nullptr;

@@ -49,10 +49,10 @@ TEST_F(Look, fontTooLargeForTheScreenIsReportedAndKept)
     EXPECT_LE(window->minimumWidth(), 1200);
     EXPECT_LE(window->minimumHeight(), 680);
     const QString note = QStringLiteral("200 % wanted, %1 % fits this screen").arg(fits);
-    EXPECT_EQ(lettersNote(200), note);
+    EXPECT_EQ(fontNote(200), note);
     window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
-    EXPECT_TRUE(eventually([&] { return window->settings()->lettersNote()->isVisible(); }));
-    EXPECT_EQ(window->settings()->lettersNote()->text(), note);
+    EXPECT_TRUE(eventually([&] { return window->settings()->fontNote()->isVisible(); }));
+    EXPECT_EQ(window->settings()->fontNote()->text(), note);
     ViewMenu menu(window->preferences(), "at once");
     menu.popup(window->pos());
     EXPECT_TRUE(menu.actions().last()->isVisible());
@@ -62,8 +62,8 @@ TEST_F(Look, fontTooLargeForTheScreenIsReportedAndKept)
     window->setRoom({1920, 1080});
     EXPECT_EQ(lookInForce().fontScale, 200);
     EXPECT_EQ(window->preferences().current().fontScale, 200);
-    EXPECT_TRUE(eventually([&] { return !window->settings()->lettersNote()->isVisible(); }));
-    EXPECT_EQ(lettersNote(200), QString());
+    EXPECT_TRUE(eventually([&] { return !window->settings()->fontNote()->isVisible(); }));
+    EXPECT_EQ(fontNote(200), QString());
 
     window->setRoom({1200, 680});
     press(Qt::Key_Minus);

@@ -98,7 +98,7 @@ TEST_F(LettersOfAReview, cutNothingOnAnyPageInAnyLanguage)
             *window, *window->rail(),
             [this](int percent) {
                 press(Qt::Key_0, Qt::ControlModifier);
-                for (int now = 100; now < percent; now += kLetterStep)
+                for (int now = 100; now < percent; now += kFontStep)
                     press(Qt::Key_Plus, Qt::ControlModifier);
             },
             language);
@@ -140,7 +140,7 @@ std::pair<int, int> lettersThatFit(int wanted, QSize room, const std::function<Q
 {
     int percent = wanted, tries = 1;
     for (; percent > kSmallestFont && needs(percent).expandedTo(room) != room; ++tries)
-        percent = smallerLetters(percent, needs(percent), room);
+        percent = smallerFont(percent, needs(percent), room);
     return {percent, tries};
 }
 
