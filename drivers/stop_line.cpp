@@ -113,7 +113,7 @@ bool StopLine::consume()
 {
     bool pressed = false, isStop = false;
     Address from;
-    for (int i = 0; i < kMostRead && read(socket_.get(), kStop, isStop, from); ++i) {
+    for (int i = 0; i < kMaxDatagrams && read(socket_.get(), kStop, isStop, from); ++i) {
         if (!isStop) continue;
         pressed = true;
         (void)::sendto(socket_.get(), kTaken.data(), kTaken.size(), MSG_NOSIGNAL, from.get(),

@@ -26,9 +26,9 @@ public:
     ~StopLine();  ///< removes the socket
 
     /// Returns true if STOP was pressed at the other end since the last call, and answers it. Does
-    /// not wait. One call reads at most kMostRead datagrams; the next one reads on.
+    /// not wait. One call reads at most kMaxDatagrams datagrams; the next one reads on.
     bool consume();
-    static constexpr int kMostRead = 8;
+    static constexpr int kMaxDatagrams = 8;
 
 private:
     StopLine(PosixFd socket, std::string path) : socket_(std::move(socket)), path_(std::move(path))

@@ -12,12 +12,12 @@
 namespace terratact {
 namespace {
 
-constexpr qsizetype kLongestName = 60, kLongestKey = 200;
+constexpr qsizetype kMaxSetName = 60, kMaxSignalKey = 200;
 
 bool isKey(const QJsonValue& value)
 {
     const QString key = value.toString();
-    return value.isString() && !key.isEmpty() && key.size() <= kLongestKey;
+    return value.isString() && !key.isEmpty() && key.size() <= kMaxSignalKey;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::optional<PlotSet> plotSetFrom(const QString& text)
 {
     const QJsonObject object = QJsonDocument::fromJson(text.toUtf8()).object();
     PlotSet set{object.value(QStringLiteral("name")).toString().simplified(), {}};
-    if (set.name.isEmpty() || set.name.size() > kLongestName) return std::nullopt;
+    if (set.name.isEmpty() || set.name.size() > kMaxSetName) return std::nullopt;
     const QJsonArray rows = object.value(QStringLiteral("rows")).toArray();
     if (static_cast<std::size_t>(rows.size()) > PlotsState::kMaxRows) return std::nullopt;
     for (const QJsonValue row : rows) {

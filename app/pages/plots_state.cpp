@@ -73,7 +73,7 @@ void PlotsState::choose(int row)
 void PlotsState::setEnds(double begin, double end)
 {
     begin_ = begin;
-    end_ = std::max(end, begin + kLeastSpan);
+    end_ = std::max(end, begin + kMinSpan);
     if (!follows_) return;
     const double span = to_ - from_;
     to_ = end_ + 0.02 * span;  // the newest values are not at the very edge
@@ -84,7 +84,7 @@ void PlotsState::setEnds(double begin, double end)
 void PlotsState::clampSpan()
 {
     const double longest = std::max(1.2 * (end_ - begin_), 60.0);
-    const double span = std::clamp(to_ - from_, kLeastSpan, longest);
+    const double span = std::clamp(to_ - from_, kMinSpan, longest);
     const double middle = std::clamp(0.5 * (from_ + to_), begin_ - 0.4 * span, end_ + 0.4 * span);
     from_ = middle - 0.5 * span;
     to_ = middle + 0.5 * span;

@@ -15,7 +15,7 @@ using PlotRows = std::vector<std::vector<std::string>>;
 class PlotsState {
 public:
     static constexpr std::size_t kMaxRows = 6, kMaxInRow = 4;
-    static constexpr double kLeastSpan = 0.01;  ///< [s]
+    static constexpr double kMinSpan = 0.01;  ///< [s]
 
     // Rows.
     const PlotRows& rows() const { return rows_; }

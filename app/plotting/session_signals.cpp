@@ -14,7 +14,7 @@ namespace terratact {
 namespace {
 
 constexpr auto kGrowthPeriod = std::chrono::milliseconds(500);
-constexpr double kLeastSpan = 1.0;  // [s]
+constexpr double kMinSpan = 1.0;  // [s]
 
 bool isEstimateKey(const std::string& key)
 {
@@ -238,7 +238,7 @@ private:
 };
 
 SessionSignals::SessionSignals(std::string path, const RobotModel& robot, double begin, double end)
-    : begin_(begin), robot_(robot), path_(std::move(path)), end_(std::max(end, begin + kLeastSpan)),
+    : begin_(begin), robot_(robot), path_(std::move(path)), end_(std::max(end, begin + kMinSpan)),
       thread_([this](const std::stop_token& stop) { run(stop); })
 {
 }

@@ -27,9 +27,10 @@ public:
     using Box::Box;
     QSize minimumSizeHint() const override
     {
-        constexpr int kLeast = 180;  // [px] at 100 %
+        constexpr int kMinWidth = 180;  // [px] at 100 %
         const QSize usual = Box::minimumSizeHint();
-        return {std::max({usual.width(), Box::sizeHint().width(), scaled(kLeast)}), usual.height()};
+        return {std::max({usual.width(), Box::sizeHint().width(), scaled(kMinWidth)}),
+                usual.height()};
     }
 };
 

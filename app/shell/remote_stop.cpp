@@ -17,10 +17,11 @@ constexpr int kPollAnswer = 20;  // [ms]
 /// Makes a folder for a socket, whose path must be short. Null: none of the places allows it.
 std::unique_ptr<QTemporaryDir> socketFolder()
 {
-    constexpr int kMostBytes = 70;  // the rest of 100 is for the folder's own name and the socket's
+    // Of 100 bytes, the folder's own name and the socket's name need the rest.
+    constexpr int kMaxPlaceBytes = 70;
     for (const QString& place :
          {qEnvironmentVariable("XDG_RUNTIME_DIR"), QDir::tempPath(), QStringLiteral("/tmp")}) {
-        if (place.isEmpty() || place.toUtf8().size() > kMostBytes) continue;
+        if (place.isEmpty() || place.toUtf8().size() > kMaxPlaceBytes) continue;
         auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/terratact-XXXXXX"));
         if (folder->isValid()) return folder;
     }

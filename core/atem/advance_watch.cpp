@@ -20,7 +20,7 @@ AdvanceWatch::Result AdvanceWatch::poll(const Measurement& m)
     driven_ = driven_ || m.activity == RobotActivity::Driving || std::abs(way_) > kStarts;
     const bool stands = m.activity == RobotActivity::Halted || m.activity == RobotActivity::Pressed;
     if (!driven_ || !stands) return Result::Running;
-    return way_ >= kLeastShare * distance_ ? Result::Advanced : Result::NotMoved;
+    return way_ >= kMinShare * distance_ ? Result::Advanced : Result::NotMoved;
 }
 
 }  // namespace terratact

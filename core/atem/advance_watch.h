@@ -13,8 +13,8 @@ public:
     /// Excess of the odometry over the commanded distance [m] that counts as running on. The tracks
     /// may slip by 30 % of the longest advance.
     static constexpr double kOverrun = 0.05;
-    static constexpr double kLeastShare = 0.5;  ///< a shorter share of the distance is no advance
-    static constexpr double kStarts = 0.005;    ///< [m] the robot has begun to move
+    static constexpr double kMinShare = 0.5;  ///< a shorter share of the distance is no advance
+    static constexpr double kStarts = 0.005;  ///< [m] the robot has begun to move
 
     enum class Result : std::uint8_t {
         Running,

@@ -188,11 +188,11 @@ private:
 
 std::string listOf(const std::vector<std::string>& columns)
 {
-    constexpr std::size_t kMost = 12;
+    constexpr std::size_t kMaxListed = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
+    for (std::size_t i = 0; i < std::min(columns.size(), kMaxListed); ++i)
         list += fmt::format("{}{}", i > 0 ? ", " : "", shown(columns[i]));
-    return columns.size() > kMost ? list + ", …" : list;
+    return columns.size() > kMaxListed ? list + ", …" : list;
 }
 
 /// Returns the first lines of a text, at most `count`.

@@ -58,7 +58,7 @@ public:
                           .encoding = keptName(in.text()),
                           .text = std::shared_ptr<const std::string>()};
         const std::string_view text = in.text();
-        if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMost) return Done{};
+        if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMaxEntries) return Done{};
         if (text.empty()) schema.encoding.clear();
         const bool isDecoded = schema.encoding == "ros1msg" || schema.encoding == "ros2msg";
         schema.text = texts_.keep(schema.name, isDecoded ? text : std::string_view());
@@ -72,7 +72,7 @@ public:
         const auto id = in.number<std::uint16_t>();
         const auto schema = in.number<std::uint16_t>();
         RecordedTopic topic{.name = keptName(in.text()), .encoding = keptName(in.text())};
-        if (!in.isValid() || topicOf_.contains(id) || topics_.size() >= kMost) return;
+        if (!in.isValid() || topicOf_.contains(id) || topics_.size() >= kMaxEntries) return;
         if (const auto found = schemas_.find(schema); found != schemas_.end()) {
             topic.type = found->second.name;
             topic.schemaEncoding = found->second.encoding;
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 10'000;
+    static constexpr std::size_t kMaxEntries = 10'000;  // schemas, and topics
 
     std::vector<RecordedTopic>& topics_;
     SchemaTexts texts_;

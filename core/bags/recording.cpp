@@ -42,7 +42,7 @@ std::string_view unpackerOf(std::string_view begins)
 /// Returns the recordings in a folder, which a ROS 2 bag is.
 std::string recordingsIn(const std::string& folder)
 {
-    constexpr std::size_t kMost = 5;
+    constexpr std::size_t kMaxListed = 5;
     std::error_code none;
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none))
@@ -51,8 +51,8 @@ std::string recordingsIn(const std::string& folder)
     std::string list;
     std::size_t count = 0;
     for (const std::string& name : names)
-        if (++count <= kMost) list += (list.empty() ? "" : ", ") + printable(name);
-    return names.size() > kMost ? list + ", …" : list;
+        if (++count <= kMaxListed) list += (list.empty() ? "" : ", ") + printable(name);
+    return names.size() > kMaxListed ? list + ", …" : list;
 }
 
 /// Returns why a file that begins so is no recording; empty: it may be a CSV.

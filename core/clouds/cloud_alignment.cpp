@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMinSideCells = 5;
 constexpr double kNearMargin = 0.10, kWideMargin = 0.50;  // [m]
 /// The least of some noisy gaps lies this many sd below the true one, as measured over simulated drives.
-constexpr double kLeastOfNoise = 0.6;
+constexpr double kMinGapBias = 0.6;
 constexpr double kOffDistance = 0.05;  // [m]
 constexpr double kScatterPerMad = 1.4826, kMedianSd = 1.2533;
 
@@ -51,7 +51,7 @@ GapLine lineBelow(std::vector<CloudGap> gaps, double x)
     const auto after = std::ranges::upper_bound(hull, x, {}, &CloudGap::x);
     const CloudGap &a = *(after - 1), &b = *after;
     const double slope = (b.gap - a.gap) / (b.x - a.x);
-    return {a.gap - slope * a.x + kLeastOfNoise * 0.5 * (a.sd + b.sd), slope};
+    return {a.gap - slope * a.x + kMinGapBias * 0.5 * (a.sd + b.sd), slope};
 }
 
 std::optional<GapLine> sideLine(const SceneGrid& grid, const RobotModel& robot, std::size_t place,

@@ -13,11 +13,11 @@ namespace terratact {
 namespace {
 
 constexpr double kSmallSquare = 0.25, kLargeSquare = 1.0, kPassSquare = 0.1;  // [m]
-constexpr std::size_t kMostPassesOfSquare = 20;
+constexpr std::size_t kMaxPassesPerSquare = 20;
 constexpr double kOwnMargin = 0.03;  // [m] around the robot's box
-constexpr double kShortestHalf =
+constexpr double kMinHalf =
     0.75 + kMaxCellsMoved * kTruthCell;  // [m] the front end of the bins, with a moved cloud
-constexpr double kLongestHalf = 1.55;
+constexpr double kMaxHalf = 1.55;
 
 std::int64_t squareOf(double x, double y, double size)
 {
@@ -28,8 +28,8 @@ std::int64_t squareOf(double x, double y, double size)
 /// Returns the number of cells of a line: as long as the robot to both sides, in whole bins.
 std::size_t cellsUnder(const RobotModel& robot)
 {
-    double half = kShortestHalf;
-    while (half < reachOf(robot) + std::abs(robot.imu.x) && half < kLongestHalf) half += kBinWidth;
+    double half = kMinHalf;
+    while (half < reachOf(robot) + std::abs(robot.imu.x) && half < kMaxHalf) half += kBinWidth;
     return static_cast<std::size_t>(std::lround(2.0 * half / kTruthCell));
 }
 
@@ -68,7 +68,7 @@ Result<SceneGrid> SceneGrid::over(const RobotModel& robot, std::vector<ScenePlac
                                   const std::vector<ScenePlace>& passes)
 {
     const std::size_t cells = cellsUnder(robot);
-    const std::size_t most = kMaxSamples / (cells * kTruthLines * kLeastOfCell);
+    const std::size_t most = kMaxSamples / (cells * kTruthLines * kMinPerCell);
     if (places.size() > most)
         return Error{
             fmt::format("{} scenes are more than the {} that one map may hold: name a --run, or "
@@ -77,18 +77,18 @@ Result<SceneGrid> SceneGrid::over(const RobotModel& robot, std::vector<ScenePlac
             0};
     SceneGrid grid(robot, std::move(places), cells);
     for (const auto& [square, over] : grid.over_)
-        if (over.size() > kMostOverOnePlace) {
+        if (over.size() > kMaxPerPlace) {
             const Eigen::Vector3d& at = grid.places_[over.front()].imu;
             return Error{fmt::format("{} scenes lie over the same ground, near x {:.1f} m, y "
                                      "{:.1f} m; at most {} may: "
                                      "name a --run, or split the scenes",
-                                     over.size(), at.x(), at.y(), kMostOverOnePlace),
+                                     over.size(), at.x(), at.y(), kMaxPerPlace),
                          0};
         }
     for (const ScenePlace& place : grid.places_) grid.lowerCeilings(place, true);
     std::unordered_map<std::int64_t, std::size_t> passed;
     for (const ScenePlace& pass : passes)
-        if (++passed[squareOf(pass.imu.x(), pass.imu.y(), kPassSquare)] <= kMostPassesOfSquare)
+        if (++passed[squareOf(pass.imu.x(), pass.imu.y(), kPassSquare)] <= kMaxPassesPerSquare)
             grid.lowerCeilings(pass, false);
     return grid;
 }
@@ -98,7 +98,7 @@ SceneGrid::SceneGrid(const RobotModel& robot, std::vector<ScenePlace> places, st
 {
     begin_ = -0.5 * kTruthCell * static_cast<double>(cells_);
     const std::size_t all = places_.size() * kTruthLines * cells_;
-    most_ = std::clamp(kMaxSamples / std::max<std::size_t>(1, all), kLeastOfCell, kMostOfCell);
+    most_ = std::clamp(kMaxSamples / std::max<std::size_t>(1, all), kMinPerCell, kMaxPerCell);
     samples_.resize(all * most_);
     counts_.resize(all);
     ceilings_.assign(all, std::numeric_limits<float>::infinity());
@@ -184,7 +184,7 @@ Result<SceneGrid> SceneGrid::restored(const RobotModel& robot, ScenePlace place,
     const auto isHeight = [](float z) {
         return static_cast<double>(z) >= kLowestTruth && static_cast<double>(z) <= kHighestTruth;
     };
-    if (cells.most < kLeastOfCell || cells.most > kMostOfCell || cells.counts.size() != n
+    if (cells.most < kMinPerCell || cells.most > kMaxPerCell || cells.counts.size() != n
         || cells.ceilings.size() != n || cells.heights.size() != kept
         || !std::ranges::all_of(cells.heights, isHeight)
         || std::ranges::any_of(cells.ceilings, [](float z) { return std::isnan(z); }))

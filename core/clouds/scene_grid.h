@@ -33,13 +33,13 @@ struct PlaceCells {
 class SceneGrid {
 public:
     static constexpr std::size_t kMaxSamples = 60'800'000;  ///< of all cells: 243 MB
-    static constexpr std::size_t kMostOverOnePlace = 500;
-    static constexpr std::size_t kMostOfCell = 48, kLeastOfCell = 8;
+    static constexpr std::size_t kMaxPerPlace = 500;
+    static constexpr std::size_t kMaxPerCell = 48, kMinPerCell = 8;
 
     /// passes: further poses of the drive, of which only pitch, roll and the tracks count, and the first few of each
     /// square of 10 cm. The robot was there, so
     /// the ground was not: no pose of `places` or `passes` has ground above the robot's lower boundary.
-    /// Errors: more scenes than kMaxSamples allow, or more than kMostOverOnePlace over one place: each of its points
+    /// Errors: more scenes than kMaxSamples allow, or more than kMaxPerPlace over one place: each of its points
     /// falls under all of them.
     static Result<SceneGrid> over(const RobotModel& robot, std::vector<ScenePlace> places,
                                   const std::vector<ScenePlace>& passes = {});

@@ -45,15 +45,16 @@ std::int64_t EvenClock::Follower::add(std::int64_t time)
 
 std::vector<std::string> clockRemarks(const std::vector<ClockStep>& steps)
 {
-    constexpr std::size_t kMost = 5;
+    constexpr std::size_t kMaxListed = 5;
     std::vector<std::string> remarks;
-    for (std::size_t i = 0; i < std::min(kMost, steps.size()); ++i)
+    for (std::size_t i = 0; i < std::min(kMaxListed, steps.size()); ++i)
         remarks.push_back(fmt::format("the clock was set {} by {:.3f} s while this was recorded; "
                                       "times continue evenly from there",
                                       steps[i].back > 0.0 ? "back" : "forward",
                                       std::abs(steps[i].back)));
-    if (steps.size() > kMost)
-        remarks.push_back(fmt::format("the clock was set {} more times", steps.size() - kMost));
+    if (steps.size() > kMaxListed)
+        remarks.push_back(
+            fmt::format("the clock was set {} more times", steps.size() - kMaxListed));
     return remarks;
 }
 

@@ -207,12 +207,12 @@ private:
 
     std::string topicList() const
     {
-        constexpr std::size_t kMost = 15;
+        constexpr std::size_t kMaxListed = 15;
         std::string list;
         const auto& topics = recording_.topics();
-        for (std::size_t i = 0; i < std::min(kMost, topics.size()); ++i)
+        for (std::size_t i = 0; i < std::min(kMaxListed, topics.size()); ++i)
             list += fmt::format("{}{}", i > 0 ? ", " : "", printable(topics[i].name));
-        return topics.size() > kMost ? list + ", …" : list;
+        return topics.size() > kMaxListed ? list + ", …" : list;
     }
 
     bool hasTopic(const std::string& name) const
@@ -435,8 +435,8 @@ private:
 
 std::uintmax_t mostSamples(std::uintmax_t recordingBytes)
 {
-    constexpr std::uintmax_t kMost = kMaxSamples;
-    return std::clamp(4 * std::min(recordingBytes, kMost), std::uintmax_t{1'000'000}, kMost);
+    constexpr std::uintmax_t kMax = kMaxSamples;
+    return std::clamp(4 * std::min(recordingBytes, kMax), std::uintmax_t{1'000'000}, kMax);
 }
 
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,

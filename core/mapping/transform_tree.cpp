@@ -159,7 +159,7 @@ std::vector<const TransformTree::Link*> TransformTree::chain(std::string frame,
                                                              std::string& root) const
 {
     std::vector<const Link*> chain;
-    for (int i = 0; i < kLongest; ++i) {
+    for (int i = 0; i < kMaxChain; ++i) {
         const auto link = links_.find(frame);
         if (link == links_.end()) break;
         chain.push_back(&link->second);
@@ -229,11 +229,11 @@ std::vector<TransformTree::Stamp> TransformTree::stamps(std::string_view outer,
 
 std::string TransformTree::links() const
 {
-    constexpr std::size_t kMost = 12;
+    constexpr std::size_t kMaxListed = 12;
     std::string list;
     std::size_t listed = 0;
     for (const auto& [child, link] : links_) {
-        if (++listed > kMost) return list + ", …";
+        if (++listed > kMaxListed) return list + ", …";
         list += fmt::format("{}{} → {}", list.empty() ? "" : ", ", printable(link.parent),
                             printable(child));
     }

@@ -69,7 +69,7 @@ private:
         std::vector<Moment> moments{};  ///< in the order of stamps once sorted
     };
     static constexpr std::size_t kMaxFrames = 10'000;
-    static constexpr int kLongest = 100;  ///< links of a chain
+    static constexpr int kMaxChain = 100;  ///< links of a chain
 
     void addOne(bool isFixed, const FieldValue& item, std::int64_t recorded);
     void store(Link& link, const Moment& moment);

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kLeastBuckets = 64;
+constexpr std::size_t kMinBuckets = 64;
 constexpr double kWidest = 1e9;  // [s] of a bucket: longer than any run
 
 }  // namespace
@@ -18,7 +18,7 @@ BucketPyramid::BucketPyramid(double begin, double width, std::size_t buckets)
 {
     if (!std::isfinite(begin) || !(width > 0.0) || !std::isfinite(width))
         throw std::invalid_argument("BucketPyramid: begin and a width above 0 must be finite");
-    if (buckets < kLeastBuckets || !std::has_single_bit(buckets))
+    if (buckets < kMinBuckets || !std::has_single_bit(buckets))
         throw std::invalid_argument("BucketPyramid: buckets must be a power of two, at least 64");
     for (std::size_t n = buckets; n >= 1; n /= 2) levels_.emplace_back(n);
 }
@@ -35,13 +35,13 @@ SeriesSummary BucketPyramid::summaryOf(const Bucket& bucket)
 
 BucketPyramid::Bucket BucketPyramid::bucketOf(const SeriesSummary& summary)
 {
-    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    constexpr std::uint64_t kMaxBucketCount = std::numeric_limits<std::uint32_t>::max();
     return {.mean = summary.mean,
             .squares = summary.squares,
             .last = static_cast<float>(summary.last),
             .low = static_cast<float>(summary.low),
             .high = static_cast<float>(summary.high),
-            .count = static_cast<std::uint32_t>(std::min(summary.count, kMost))};
+            .count = static_cast<std::uint32_t>(std::min(summary.count, kMaxBucketCount))};
 }
 
 void BucketPyramid::append(Bucket& bucket, const Bucket& later)

@@ -33,7 +33,8 @@ double withNoise(double x, double sd, std::mt19937_64& rng)
 void addCurrentNoise(std::optional<double>& current, const SensorNoise& noise, std::mt19937_64& rng)
 {
     if (current)
-        current = std::clamp(withNoise(*current, noise.current, rng), -kMostCurrent, kMostCurrent);
+        current = std::clamp(withNoise(*current, noise.current, rng), -kMaxSceneCurrent,
+                             kMaxSceneCurrent);
 }
 
 void addForceNoise(std::array<std::optional<double>, kForceElements>& forces,

@@ -23,7 +23,7 @@ struct SensorNoise {
 
 /// Returns readings with Gaussian noise. The variance of a force is
 ///   (forceShare · force)² + forceFloor².
-/// The force stays within 0 and `saturation` [N], a current within ±kMostCurrent of a scene
+/// The force stays within 0 and `saturation` [N], a current within ±kMaxSceneCurrent of a scene
 /// (core/learn/data/columns.h). Features that were not measured stay empty.
 /// Throws std::invalid_argument for a negative standard deviation or saturation ≤ 0.
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,

@@ -223,7 +223,7 @@ std::vector<DriveLine> linesOfDrive(const WaySetting& setting, Way way, std::mt1
     const double spacing =
         options.spacing > 0.0
             ? options.spacing
-            : std::uniform_real_distribution<double>(kLeastWaySpacing, kMostWaySpacing)(rng);
+            : std::uniform_real_distribution<double>(kMinWaySpacing, kMaxWaySpacing)(rng);
     const std::vector<double> stops = stopsOver(way.ground(), spacing);
     std::vector<DriveLine> lines =
         WayDrive<Way>(setting, std::move(way), rng).along(stops, skipped);

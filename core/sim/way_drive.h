@@ -22,7 +22,7 @@ struct WayDriveOptions {
 };
 
 /// Range of the random spacing between two stops [m].
-inline constexpr double kLeastWaySpacing = 0.08, kMostWaySpacing = 0.35;
+inline constexpr double kMinWaySpacing = 0.08, kMaxWaySpacing = 0.35;
 
 /// Durations of lowering the flippers to the ground, and of raising them again [s]. No line of
 /// telemetry falls into them. A line follows within kMaxSilence.

@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kLeastVariance = 1e-8;  // [m²] a robot that stood still may have moved by 0.1 mm
+constexpr double kMinPoseVariance = 1e-8;  // [m²] a robot at rest may have moved by 0.1 mm
 constexpr int kReweights = 4;
 
 /// Symmetric 2 × 2 matrix.
@@ -31,7 +31,8 @@ double huberWeight(const MatchedBin& bin, const Vec2& e)
 
 PoseOffset matched(const PoseCovariance& prior, std::span<const MatchedBin> bins)
 {
-    const PoseCovariance floored{prior.xx + kLeastVariance, prior.xz, prior.zz + kLeastVariance};
+    const PoseCovariance floored{prior.xx + kMinPoseVariance, prior.xz,
+                                 prior.zz + kMinPoseVariance};
     const PoseCovariance inverse = Information{floored.xx, floored.xz, floored.zz}.inverse();
     PoseOffset offset{{}, floored};
     for (int round = 0; round < kReweights; ++round) {

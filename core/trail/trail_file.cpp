@@ -26,7 +26,7 @@ using model_file::require;
 
 constexpr std::int64_t kTrailApplication = 0x54544E31;  // "TTN1"
 constexpr std::uintmax_t kMaxTrailBytes = std::uintmax_t{32} * 1024 * 1024;
-constexpr double kMostSteps = 32'000.0;
+constexpr double kMaxStoredSteps = 32'000.0;
 
 std::string hashOf(const TrailData& data)
 {
@@ -109,7 +109,7 @@ StoredTrail readStoredTrail(SqliteFile& file)
 std::int16_t errorSteps(float error)
 {
     const double steps = std::round(static_cast<double>(error) / kTrailErrorStep);
-    return static_cast<std::int16_t>(std::clamp(steps, -kMostSteps, kMostSteps));
+    return static_cast<std::int16_t>(std::clamp(steps, -kMaxStoredSteps, kMaxStoredSteps));
 }
 
 float errorOfSteps(std::int16_t steps)

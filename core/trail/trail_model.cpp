@@ -21,7 +21,7 @@ using SideMasks = std::array<unsigned, 2>;
 /// Standardised inputs farther than this count as this far: training held none.
 constexpr double kFarthestInput = 10.0;
 constexpr float kFarthestSizeInput = 4.0F;  // the same for the size of errors
-constexpr float kMostLogSize = 3.0F;        // and as far below 0
+constexpr float kMaxLogSize = 3.0F;         // and as far below 0
 
 void requireOfTrail(bool holds, const char* what)
 {
@@ -187,7 +187,7 @@ TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& input
     TrailOutput output{each.rowwise().mean(), Eigen::VectorXf(kBins + x.size())};
     each.colwise() -= output.mean;
     const Eigen::ArrayXf spread = each.array().square().rowwise().mean().sqrt();
-    output.sizeInputs << (spread + static_cast<float>(kLeastSpread)).log().matrix(),
+    output.sizeInputs << (spread + static_cast<float>(kMinSpread)).log().matrix(),
         x.cwiseMax(-kFarthestSizeInput).cwiseMin(kFarthestSizeInput);
     return output;
 }
@@ -195,8 +195,8 @@ TrailOutput outputOf(const TrailNetworks& networks, const Eigen::VectorXd& input
 Eigen::VectorXf errorSize(const TrailNetworks& networks, const TrailOutput& output)
 {
     return networks.size.output(output.sizeInputs)
-        .cwiseMax(-kMostLogSize)
-        .cwiseMin(kMostLogSize)
+        .cwiseMax(-kMaxLogSize)
+        .cwiseMin(kMaxLogSize)
         .array()
         .exp();
 }

@@ -36,7 +36,7 @@ struct TrailNetworks {
     std::array<TrailScale, kBins> open, covered;
     std::vector<Network> networks;  ///< of different seeds; their mean counts
     /// One linear layer: log of the expected size of each bin's error e, the geometric mean of
-    /// |e| + 0.1 [sd of TrailScale]. Its inputs are log(s + kLeastSpread) of the bins, where s is the sd
+    /// |e| + 0.1 [sd of TrailScale]. Its inputs are log(s + kMinSpread) of the bins, where s is the sd
     /// of the networks, and their standardised inputs.
     Network size;
     TrailErrors errors;
@@ -57,7 +57,7 @@ struct TrailData {
 };
 
 /// Least sd of the networks that their disagreement tells of, in sd of TrailScale.
-inline constexpr double kLeastSpread = 1e-3;
+inline constexpr double kMinSpread = 1e-3;
 
 /// Number of scenes whose errors form those of a scene. They are of as many drives as possible, because
 /// the errors of one drive are nearly one error.

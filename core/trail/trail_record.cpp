@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUncovered = std::numeric_limits<double>::infinity();
 constexpr double kWindow = 0.05;            // [m] half a window of the attitude
-constexpr double kLeastForce = 0.6;         // [N] twice an element's noise
+constexpr double kMinForce = 0.6;           // [N] twice an element's noise
 constexpr double kRounding = 1e-9;          // [m]
 constexpr double kSameTilt = 0.02;          // [rad] of a scene that replaces one at its place
 constexpr std::array kSlopes{-0.35, 0.35};  // of ground that carries a height
@@ -431,7 +431,7 @@ void TrailRecord::writePressed(TrailHistory& history, const Measurement& scene,
         const double dx = press.pose.imu.x - pose.imu.x, dz = press.pose.imu.z - pose.imu.z;
         for (std::size_t p = 0; p < kTrailPlanes; ++p)
             for (const Element& element : press.elements[p]) {
-                if (element.force < kLeastForce) continue;
+                if (element.force < kMinForce) continue;
                 TrailGround& ground = history.ground[p];
                 for (std::size_t bin = 0; bin < kTrailBins; ++bin) {
                     const double away = std::abs(element.x + dx - binCentre(static_cast<int>(bin)));

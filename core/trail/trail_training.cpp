@@ -22,12 +22,12 @@ namespace terratact {
 namespace {
 
 constexpr Eigen::Index kTrailSides = 2;
-constexpr double kLeastSd = 1e-6;
-constexpr double kFewestScenes = 30.0;  // of a regime that counts as trained
+constexpr double kMinTrailSd = 1e-6;
+constexpr double kMinRegimeScenes = 30.0;  // of a regime that counts as trained
 
-// Of the expected size of errors: it is that of |error| + kLeastError, in sd of TrailScale. The ridge counts as so many
-// scenes with inputs of sd 1 and no effect.
-constexpr float kLeastError = 0.1F;
+// The expected size of an error is fitted to |error| + kMinTrailError, in sd of TrailScale. The ridge has the weight of
+// kSizeRidge scenes with inputs of sd 1 and no effect.
+constexpr float kMinTrailError = 0.1F;
 constexpr double kSizeRidge = 30.0;
 
 /// Returns true if a scene has everything that a row needs.
@@ -135,7 +135,7 @@ void writeInputScale(TrailNetworks& networks, const Eigen::MatrixXf& inputs)
     networks.inputSd =
         (centred.rowwise().squaredNorm() / static_cast<double>(values.cols())).cwiseSqrt();
     // An input that never varied has no effect in training, and little elsewhere.
-    networks.inputSd = (networks.inputSd.array() < kLeastSd).select(1.0, networks.inputSd);
+    networks.inputSd = (networks.inputSd.array() < kMinTrailSd).select(1.0, networks.inputSd);
 }
 
 double surfaceAt(const TrailRows& rows, Eigen::Index bin, Eigen::Index u)
@@ -167,11 +167,11 @@ void writeScales(TrailNetworks& networks, const TrailRows& rows,
                 weights += weight;
                 count += 1.0;
             }
-            if (count < kFewestScenes) continue;
+            if (count < kMinRegimeScenes) continue;
             const double mean = sum / weights;
             scaleIn(networks, bin, covered) = {
                 mean,
-                std::max(std::sqrt(std::max(squares / weights - mean * mean, 0.0)), kLeastSd)};
+                std::max(std::sqrt(std::max(squares / weights - mean * mean, 0.0)), kMinTrailSd)};
         }
 }
 
@@ -217,7 +217,7 @@ NetworkLayer ridgeLayer(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& ta
     const Eigen::VectorXd mean = inputs.rowwise().mean(), middle = targets.rowwise().mean();
     const Eigen::MatrixXd centred = inputs.colwise() - mean;
     const Eigen::VectorXd sd =
-        (centred.rowwise().squaredNorm() / count).cwiseSqrt().cwiseMax(kLeastSd);
+        (centred.rowwise().squaredNorm() / count).cwiseSqrt().cwiseMax(kMinTrailSd);
     const Eigen::MatrixXd z = sd.cwiseInverse().asDiagonal() * centred;
     Eigen::MatrixXd normal = z * z.transpose();
     normal.diagonal().array() += kSizeRidge;
@@ -236,7 +236,7 @@ void writeSize(TrailNetworks& networks, const std::vector<TrailOutput>& outputs)
     for (Eigen::Index u = 0; u < columns; ++u)
         inputs.col(u) = outputs[static_cast<std::size_t>(u)].sizeInputs.cast<double>();
     const Eigen::Map<const Eigen::MatrixXf> bySide(residual.data(), kBins, columns);
-    const Eigen::MatrixXd targets = (bySide.array().abs() + kLeastError).log().cast<double>();
+    const Eigen::MatrixXd targets = (bySide.array().abs() + kMinTrailError).log().cast<double>();
     networks.size.layers = {ridgeLayer(inputs, targets)};
     for (Eigen::Index u = 0; u < columns; ++u) {
         auto own = residual.block(u % sides * kBins, u / sides, kBins, 1);

@@ -79,7 +79,7 @@ TEST(StopLine, aFloodIsReadInPartsAndHidesNoStop)
     const PosixFd flood(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     ASSERT_EQ(::connect(flood.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
               0);
-    for (int i = 0; i < StopLine::kMostRead; ++i) ASSERT_EQ(::send(flood.get(), "x", 1, 0), 1);
+    for (int i = 0; i < StopLine::kMaxDatagrams; ++i) ASSERT_EQ(::send(flood.get(), "x", 1, 0), 1);
     auto caller = StopCaller::open();
     ASSERT_TRUE(caller && caller->press(someName()));
     EXPECT_FALSE(line->consume()) << "one call reads no more, so that no flood holds it";

@@ -15,7 +15,7 @@
 
 namespace terratact {
 
-/// The machine's clock, but never further than kMostAhead past the time that each of its threads read last. A busy
+/// The machine's clock, but never further than kMaxAhead past the time that each of its threads read last. A busy
 /// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
 /// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone.
 /// While it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
@@ -23,7 +23,7 @@ namespace terratact {
 class PatientClock {
 public:
     /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn
-    static constexpr double kMostAhead = 0.02;
+    static constexpr double kMaxAhead = 0.02;
     /// [s] without a read, after which a sleeping thread is gone; longer pauses of all threads count as kPause
     static constexpr double kGone = 0.5;
     static constexpr double kPause = 0.05;
@@ -54,14 +54,14 @@ public:
         if (mine != reads_.end()) mine->second.seen = seen_;
         double until = machine;
         for (auto read = reads_.begin(); read != reads_.end();) {
-            const bool waits = read->second.time + kMostAhead < machine;
+            const bool waits = read->second.time + kMaxAhead < machine;
             const double gone = read->first == ::getpid() ? kWindowGone : kGone;
             const bool isSilent = seen_ - read->second.seen > gone;
             if (waits && ((isSilent && !isDelayed(read->first)) || hasEnded(read->first))) {
                 read = reads_.erase(read);
                 continue;
             }
-            until = std::min(until, read->second.time + kMostAhead);
+            until = std::min(until, read->second.time + kMaxAhead);
             ++read;
         }
         time_ = std::max(time_, until);

@@ -36,7 +36,7 @@ public:
     std::optional<QRectF> box;     ///< [px]
     bool isChosen = false;
 
-    static constexpr std::size_t kMost = 4;  ///< curves with a colour of their own
+    static constexpr std::size_t kMaxCurves = 4;  ///< curves with a colour of their own
     static QColor colourOf(std::size_t curve);
     /// Returns "1 pitch 0.12 rad": number, name and value at the cursor.
     static QString legendOf(std::size_t curve, const TimePlotCurve& its);

@@ -98,7 +98,8 @@ void TimePlot::changeEvent(QEvent* event)
 void TimePlot::setCurves(std::vector<TimePlotCurve> curves)
 {
     items_->curves = std::move(curves);
-    if (items_->curves.size() > PlotCurves::kMost) items_->curves.resize(PlotCurves::kMost);
+    if (items_->curves.size() > PlotCurves::kMaxCurves)
+        items_->curves.resize(PlotCurves::kMaxCurves);
     describeRow();
 }
 

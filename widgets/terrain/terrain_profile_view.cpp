@@ -115,14 +115,14 @@ void TerrainProfileView::setCorner(QWidget* corner)
 void TerrainProfileView::placeCorner()
 {
     if (!corner_) return;
-    constexpr int kGap = 4;          // [px]
-    constexpr double kLeast = 0.72;  // least share of its width
+    constexpr int kGap = 4;                  // [px]
+    constexpr double kMinWidthShare = 0.72;  // least share of its width
     const QRect frame = canvas()->geometry().adjusted(kGap, kGap, -kGap, -kGap);
     const int bins = canvas()->x() + static_cast<int>(pixelOf(binBegin(0), 0.0).x()) - kGap;
     const QSize wanted = corner_->sizeHint(), flat = corner_->minimumSizeHint();
     const QSize free(bins - frame.left(), frame.height());
     const bool isBeside =
-        free.width() >= kLeast * wanted.width() && free.height() >= wanted.height();
+        free.width() >= kMinWidthShare * wanted.width() && free.height() >= wanted.height();
     const QSize size = isBeside ? wanted.boundedTo(free) : flat;
     const bool isCovered = std::ranges::any_of(std::array{note_, rememberedNote_}, [&](auto* note) {
         const double half = note->text().textSize(font()).width() / 2.0;

@@ -17,7 +17,7 @@ namespace {
 constexpr double kStripWidth = 1200.0, kStripLeft = 70.0, kStripRight = 20.0;
 constexpr double kStripHead = 110.0, kStripFoot = 46.0;
 constexpr double kStripScale = (kStripWidth - kStripLeft - kStripRight) / kStripPiece;  // [px/m]
-constexpr double kLeastRange = 0.4;                                                     // [m]
+constexpr double kMinRange = 0.4;                                                       // [m]
 constexpr double kScaleBar = 0.5;                                                       // [m]
 constexpr double kMaxSheet = 20000.0;  // [px] 100 MB as a picture of points
 constexpr Colour kStripLeftSide{0x1558a6}, kStripRightSide{0xb06400}, kStripBoth{0x12804a};
@@ -52,7 +52,7 @@ void setRange(StripPiece& piece)
                 high = std::max({high, bin->band.q90, bin->band.height});
             }
     const double middle = 0.5 * (low + high);
-    const double half = std::clamp(0.5 * (high - low) + 0.05, 0.5 * kLeastRange, 3.0);
+    const double half = std::clamp(0.5 * (high - low) + 0.05, 0.5 * kMinRange, 3.0);
     piece.low = std::floor((middle - half) * 10.0) / 10.0;
     piece.high = std::ceil((middle + half) * 10.0) / 10.0;
 }

@@ -71,8 +71,7 @@ GroundLines hazardLines(const RobotModel& robot, const HazardGround& ground,
     lines.reserve(ys.size());
     for (const double y : ys) lines.push_back({y, flatTerrain(kRandomTerrainLength)});
     if (ground.roughness > 0.0)
-        addRoughness(lines, ground.roughness, uniform(rng, kLeastCorrelation, kMostCorrelation),
-                     rng);
+        addRoughness(lines, ground.roughness, uniform(rng, kMinCorrelation, kMaxCorrelation), rng);
     return GroundLines(std::move(lines));
 }
 
@@ -149,10 +148,10 @@ bool isPressedTo(const std::vector<double>& contacts, int lastBin)
     for (const double x : contacts) {
         if (x < from) continue;
         if (x >= binEnd(lastBin)) break;
-        if (x - from > kLongestUnpressed) return false;
+        if (x - from > kMaxUnpressed) return false;
         from = x;
     }
-    return binEnd(lastBin) - from <= kLongestUnpressed;
+    return binEnd(lastBin) - from <= kMaxUnpressed;
 }
 
 }  // namespace terratact

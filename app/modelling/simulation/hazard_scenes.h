@@ -80,10 +80,10 @@ inline constexpr double kFlatWithin = 0.02;
 bool isFlatTo(const Heights& truth, double stepLimit, int lastBin);
 
 /// A robot that presses leaves no longer stretch without a contact force [m].
-inline constexpr double kLongestUnpressed = 0.05;
+inline constexpr double kMaxUnpressed = 0.05;
 
 /// Returns true if the robot presses on all the ground from bin kFirstAhead to lastBin. No stretch longer than
-/// kLongestUnpressed is without a contact.
+/// kMaxUnpressed is without a contact.
 bool isPressedTo(const std::vector<double>& contacts, int lastBin);
 
 }  // namespace terratact

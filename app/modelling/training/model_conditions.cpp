@@ -12,9 +12,9 @@ namespace terratact {
 
 std::string conditionsText(const ModelData& model, FeatureSet set)
 {
-    if (model.scannedHeights.rows() > kMostConditionRows)
+    if (model.scannedHeights.rows() > kMaxConditionRows)
         return fmt::format("condition of the {} models: not computed for more than {} scenes\n",
-                           name(set), kMostConditionRows);
+                           name(set), kMaxConditionRows);
     std::string text;
     double least = std::numeric_limits<double>::infinity();
     for (int bin = 0; bin < kBins; ++bin) {

@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostFolds = 4;
+constexpr std::size_t kMaxFolds = 4;
 
 /// Returns the mean |error| of a weight over all folds; empty if one of them cannot be trained.
 template <class SceneType>
@@ -71,7 +71,7 @@ HeldOutFolds foldsOfPlaces(const std::vector<std::size_t>& files,
         folds.by = fmt::format("{} files", folds.count);
         return folds;
     }
-    folds.count = std::min(kMostFolds, runCount > 1 ? runCount : places);
+    folds.count = std::min(kMaxFolds, runCount > 1 ? runCount : places);
     for (std::size_t i = 0; i < places; ++i)
         folds.of[i] =
             runCount > 1 ? runNumbers.at(runs[i]) % folds.count : i * folds.count / places;

@@ -87,10 +87,10 @@ qsizetype cutBefore(const QString& text, qsizetype at)
 /// Shortens a text beyond 200 characters in its middle.
 QString shortMiddle(const QString& text)
 {
-    constexpr qsizetype kMostShown = 200, kBeginShown = 140;
-    if (text.size() <= kMostShown) return text;
+    constexpr qsizetype kMaxShownText = 200, kBeginShown = 140;
+    if (text.size() <= kMaxShownText) return text;
     return text.left(cutBefore(text, kBeginShown)) + QChar(0x2026)
-         + text.mid(cutBefore(text, text.size() - (kMostShown - kBeginShown - 1)));
+         + text.mid(cutBefore(text, text.size() - (kMaxShownText - kBeginShown - 1)));
 }
 
 /// Shortens two long texts so that their first difference stays: their common beginning becomes "…".

@@ -17,8 +17,9 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
-constexpr qsizetype kMostLetters = 60, kMostBytesOfName = 200;  // in a profile's name
+constexpr std::size_t kMaxSettingsBytes = std::size_t{1} << 20U;
+constexpr qsizetype kMaxProfileName = 60;  // characters
+constexpr qsizetype kMaxProfileNameBytes = 200;
 const QString kHeadKey = QStringLiteral("terratact-settings");
 const QString kEnding = QStringLiteral(".settings");
 
@@ -214,7 +215,7 @@ Result<SettingsFile> readSettingsFile(const std::string& path)
     // A pipe would block the window.
     if (const QFileInfo info(QString::fromStdString(path)); info.exists() && !info.isFile())
         return fileError(path, TR_NOOP("SettingsFile", "is no file"));
-    const auto content = readFile(path, kMostBytes);
+    const auto content = readFile(path, kMaxSettingsBytes);
     if (!content) return content.error();
     return readSettings(*content, path);
 }
@@ -273,9 +274,10 @@ std::optional<Message> whyNoProfileName(const QString& name)
 {
     if (name.trimmed().isEmpty() || name != name.trimmed())
         return Message(TR_NOOP("SettingsFile", "a profile needs a name"));
-    if (name.size() > kMostLetters || QUrl::toPercentEncoding(name).size() > kMostBytesOfName)
+    if (name.size() > kMaxProfileName
+        || QUrl::toPercentEncoding(name).size() > kMaxProfileNameBytes)
         return Message(TR_NOOP("SettingsFile", "a profile's name has at most %1 letters"),
-                       kMostLetters);
+                       kMaxProfileName);
     if (format::line(name.toStdString()) != name)
         return Message(TR_NOOP("SettingsFile", "a profile's name is one line of plain text"));
     return std::nullopt;

@@ -140,7 +140,7 @@ double hazardProbability(double offset, double sd, double logDensity, bool isCov
 {
     if (isCovered && offset > 0.0) return 0.0;
     const double size = std::abs(offset);
-    const double r = std::max(rate, kLeastHazardRate);
+    const double r = std::max(rate, kMinHazardRate);
     const double density =
         (isCovered ? 1.0 : 0.5) * normalCdf((size - kSmallestHazard) / sd)
         / (std::max(size, kSmallestHazard) * std::log(kLargestHazard / kSmallestHazard));

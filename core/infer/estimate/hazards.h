@@ -33,15 +33,15 @@ struct MeasuredHazard {
 };
 
 /// Returns P(hazard | reading) by Bayes' rule:
-///   p = r H / (r H + (1 − r) M),   r = max(rate, kLeastHazardRate)
+///   p = r H / (r H + (1 − r) M),   r = max(rate, kMinHazardRate)
 /// M is the model's density of the reading, and H that of a hazard of the sizes of addHazards():
 ///   H = ½ Φ((|offset| − kSmallestHazard) / sd) / (max(|offset|, kSmallestHazard) ln(largest / smallest))
 /// Below a finite ceiling, a hazard is a drop for certain: without the ½, and 0 for a rise.
 /// logDensity: ln M, M per metre. rate: 0 … 1.
 double hazardProbability(double offset, double sd, double logDensity, bool isCovered, double rate);
 
-/// A reading far from the model tells of a hazard at any rate, also at 0.
-inline constexpr double kLeastHazardRate = 0.001;
+/// Least rate in hazardProbability(): a reading far from the model indicates a hazard even at rate 0.
+inline constexpr double kMinHazardRate = 0.001;
 
 /// Mixes the hazards that the arm found into their bins: a share `probability` of the draws gets the
 /// reading with its error. Bins ahead of it move by `offset` in these draws, up to the next one that

@@ -14,7 +14,7 @@ constexpr Column angle(std::string_view name)
 }
 constexpr Column current(std::string_view name)
 {
-    return {name, "A", -kMostCurrent, kMostCurrent, TR_NOOP("core", "is it in mA?")};
+    return {name, "A", -kMaxSceneCurrent, kMaxSceneCurrent, TR_NOOP("core", "is it in mA?")};
 }
 constexpr Column force(std::string_view name)
 {

@@ -13,7 +13,7 @@
 namespace terratact {
 
 /// Largest plausible current of a scene [A].
-inline constexpr double kMostCurrent = 100.0;
+inline constexpr double kMaxSceneCurrent = 100.0;
 
 /// Column of a scenes file: its name, and the range of plausible values.
 struct Column {

@@ -185,7 +185,7 @@ void GroundWatch::judgeRear(double now)
 {
     if (ground_.way() - judgedAt_ < kRearStep) return;
     judgedAt_ = ground_.way();
-    if (std::abs(ground_.pose().rear) < kLeastRear) return;
+    if (std::abs(ground_.pose().rear) < kMinRear) return;
     const auto asRead = rearGap(ground_), asFlipped = rearGap(flipped_);
     if (!asRead || !asFlipped) return;
     const auto misfit = [this](double gap) {

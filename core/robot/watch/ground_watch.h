@@ -19,7 +19,7 @@ namespace terratact {
 ///                 loads only the last one is far more common.
 ///   rear angles   The flippers lie under the ground, or carry a load above it, while angles of the other
 ///                 sign would fit. This needs ground that the tracks have passed from end to end, and
-///                 angles of kLeastRear or more: the map has errors of 5 cm.
+///                 angles of kMinRear or more: the map has errors of 5 cm.
 /// A sum that falls to half its limit clears its sensors. The watch needs odometry, and forces for
 /// the first two sums. It begins a new map when the robot turns by more than kTurn. It has no
 /// clock.
@@ -29,7 +29,7 @@ public:
     static constexpr double kFrontLimit = 3.8;  ///< limit of the sum
     static constexpr double kOrderLimit = 6.0;
     static constexpr double kRearLimit = 0.85;  ///< [m]
-    static constexpr double kLeastRear = 0.2;   ///< [rad]
+    static constexpr double kMinRear = 0.2;     ///< [rad]
     static constexpr double kTurn = 0.15;       ///< [rad]
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 

@@ -9,7 +9,7 @@ namespace terratact {
 namespace {
 
 constexpr int kFirstLines = 3;
-constexpr int kLeastSettled = 3;
+constexpr int kMinSettledLines = 3;
 constexpr double kNoise = 0.2;       // [A] within which currents agree
 constexpr double kBothRaised = 0.3;  // [rad] both front flippers, at least
 constexpr int kRaisedLines = 50;
@@ -26,8 +26,8 @@ double& countOf(std::array<double, kForceElements>& counts, std::size_t e, doubl
 
 bool differ(double a, double b)
 {
-    return std::abs(a - b)
-         > std::max(SideWatch::kLeast, SideWatch::kShare * std::max(std::abs(a), std::abs(b)));
+    return std::abs(a - b) > std::max(SideWatch::kMinDifference,
+                                      SideWatch::kShare * std::max(std::abs(a), std::abs(b)));
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ void SideWatch::followRaised(const Measurement& line)
 
 void SideWatch::judge(const Press& press, double now)
 {
-    const bool isSettled = press.settled.lines >= kLeastSettled;
+    const bool isSettled = press.settled.lines >= kMinSettledLines;
     const Mean& rest = isSettled ? press.settled : press.early;
     if (raisedLines_ < kMinRaised) return;
     const double most = std::max(std::abs(rest.leftCurrent), std::abs(rest.rightCurrent));

@@ -27,14 +27,14 @@ namespace terratact {
 /// It has no clock.
 class SideWatch {
 public:
-    static constexpr double kAngle = 0.05;    ///< [rad] largest difference of left and right
-    static constexpr double kCurrent = 0.25;  ///< the same, as a share of the larger current
-    static constexpr double kLeast = 2.0;     ///< [N] least difference that counts
-    static constexpr double kShare = 0.4;     ///< the same, as a share of the larger force
-    static constexpr double kLoaded = 3.0;    ///< [N] an element that carries a load
-    static constexpr double kNothing = 1.0;   ///< [N] one that does not
-    static constexpr double kSettle = 0.6;    ///< [s] of a press, after which all is at rest
-    static constexpr double kWatched = 1.2;   ///< [s] of a press, after which nothing is read
+    static constexpr double kAngle = 0.05;         ///< [rad] largest difference of left and right
+    static constexpr double kCurrent = 0.25;       ///< the same, as a share of the larger current
+    static constexpr double kMinDifference = 2.0;  ///< [N] least difference that counts
+    static constexpr double kShare = 0.4;          ///< the same, as a share of the larger force
+    static constexpr double kLoaded = 3.0;         ///< [N] an element that carries a load
+    static constexpr double kNothing = 1.0;        ///< [N] one that does not
+    static constexpr double kSettle = 0.6;         ///< [s] of a press, after which all is at rest
+    static constexpr double kWatched = 1.2;        ///< [s] of a press, after which nothing is read
     static constexpr double kPresses = 2.0;
     static constexpr int kMinRaised = 10;
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared

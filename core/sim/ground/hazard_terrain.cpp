@@ -99,7 +99,7 @@ GroundLines randomHazardGround(Hazard hazard, HazardSide side, double roughness,
         lines.push_back({y, has ? shape : level});
     }
     if (roughness > 0.0)
-        addRoughness(lines, roughness, uniform(rng, kLeastCorrelation, kMostCorrelation), rng);
+        addRoughness(lines, roughness, uniform(rng, kMinCorrelation, kMaxCorrelation), rng);
     return GroundLines(std::move(lines));
 }
 

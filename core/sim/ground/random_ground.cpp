@@ -109,7 +109,7 @@ std::vector<GroundLine> oneSidedGround(const std::vector<double>& ys, std::mt199
     }
     std::vector<GroundLine> lines = finished(std::move(paths), ys);
     const double gn0 = classRoughness(uniform(rng, 0.0, 4.0));
-    addRoughness(lines, gn0, uniform(rng, kLeastCorrelation, kMostCorrelation), rng);
+    addRoughness(lines, gn0, uniform(rng, kMinCorrelation, kMaxCorrelation), rng);
     return lines;
 }
 
@@ -169,7 +169,7 @@ std::vector<GroundLine> unevenRubble(double correlation, const std::vector<doubl
 
 std::vector<GroundLine> unevenGround(const std::vector<double>& ys, std::mt19937_64& rng)
 {
-    const double correlation = uniform(rng, kLeastCorrelation, kMostCorrelation);
+    const double correlation = uniform(rng, kMinCorrelation, kMaxCorrelation);
     return chance(rng, 0.67) ? unevenNatural(correlation, ys, rng)
                              : unevenRubble(correlation, ys, rng);
 }

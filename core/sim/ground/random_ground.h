@@ -29,7 +29,7 @@ GroundLines randomGround(GroundKind kind, const std::vector<double>& ys, std::mt
 
 /// Range of lateral correlation lengths L [m]: heights of lines at a distance d correlate by
 /// exp(−d / L).
-inline constexpr double kLeastCorrelation = 0.1, kMostCorrelation = 0.6;
+inline constexpr double kMinCorrelation = 0.1, kMaxCorrelation = 0.6;
 
 /// Adds roughness (isoRoughness(), G(n₀) = gn0 [m³]) to lines in the order of their y. Its lateral
 /// correlation length is `correlation` [m].

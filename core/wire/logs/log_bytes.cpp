@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{16} * 1024;
 /// A log with times shrinks to a twentieth. gzip shrinks equal bytes to a thousandth, and such a
 /// small file would take minutes to read.
-constexpr std::uint64_t kMostGrowth = 200;
+constexpr std::uint64_t kMaxGrowth = 200;
 constexpr std::uint64_t kSmall = std::uint64_t{64} << 20;  // [bytes] unpacked, whatever the growth
 
 /// Descriptor that its destructor closes, unless it is standard input.
@@ -64,7 +64,7 @@ struct LogBytes::Packed {
 
     bool growsTooMuch() const
     {
-        return unpackedBytes > kSmall && unpackedBytes / kMostGrowth > packedBytes;
+        return unpackedBytes > kSmall && unpackedBytes / kMaxGrowth > packedBytes;
     }
 };
 
@@ -222,7 +222,7 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
     if (p.growsTooMuch())
         return Error{Message(TR_NOOP("core", "unpacks to more than %1 times its size: if it is a "
                                              "log, unpack it first (gzip -d)"),
-                             kMostGrowth)};
+                             kMaxGrowth)};
     return unpacked;
 }
 

@@ -62,7 +62,7 @@ TEST(PlotsState, spanFollowsZoomsAndStaysAtTheData)
     EXPECT_EQ(state.to(), 250.0);
     const double infinity = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 200; ++i) state.zoom(2.0, 150.0);
-    EXPECT_NEAR(state.to() - state.from(), PlotsState::kLeastSpan, 1e-9);
+    EXPECT_NEAR(state.to() - state.from(), PlotsState::kMinSpan, 1e-9);
     for (int i = 0; i < 200; ++i) state.zoom(0.5, 150.0);
     EXPECT_NEAR(state.to() - state.from(), 180.0, 1e-6);
     state.zoom(infinity, 150.0);

@@ -103,7 +103,7 @@ TEST_F(Look, aDisabledButtonShowsTheReason)
     gui::TipsOfButtons tips;
     const auto lookEverywhere = [&] { eachPage([&] { tips.poll(*window); }); };
     lookEverywhere();
-    for (const double limit : {VerdictStrip::kMinLimit, VerdictStrip::kGreatestLimit}) {
+    for (const double limit : {VerdictStrip::kMinLimit, VerdictStrip::kMaxLimit}) {
         window->preferences().change([limit](Preferences& p) { p.obstacleLimit = limit; });
         tips.poll(*window);
     }

@@ -216,7 +216,7 @@ TEST(LaserTruth, aCellKeepsABoundedFairSample)
     while (grid.cellX(cell) < 0.0) ++cell;
     const auto kept = grid.heights(0, TruthLine::LeftTrack, cell);
     EXPECT_EQ(grid.count(0, TruthLine::LeftTrack, cell), 100'000U);
-    EXPECT_EQ(kept.size(), SceneGrid::kMostOfCell);
+    EXPECT_EQ(kept.size(), SceneGrid::kMaxPerCell);
     double mean = 0.0;
     for (const float h : kept) mean += h / static_cast<double>(kept.size());
     EXPECT_NEAR(mean, -0.25, 0.015) << "early points are as likely as late ones";
@@ -232,11 +232,11 @@ TEST(LaserTruth, manyScenesOverOnePlaceAreRefused)
                 placeOf(robot, i, {}, {.place = {spacing * static_cast<double>(i), 0.0, 0.0}}));
         return SceneGrid::over(robot, std::move(places));
     };
-    const auto grid = over(SceneGrid::kMostOverOnePlace + 1, 0.0);
+    const auto grid = over(SceneGrid::kMaxPerPlace + 1, 0.0);
     ASSERT_FALSE(grid);
     EXPECT_NE(grid.error().text.find("501 scenes lie over the same ground"), std::string::npos)
         << grid.error().text;
-    EXPECT_TRUE(over(SceneGrid::kMostOverOnePlace + 1, 0.1));
+    EXPECT_TRUE(over(SceneGrid::kMaxPerPlace + 1, 0.1));
 }
 
 }  // namespace

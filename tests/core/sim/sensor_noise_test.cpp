@@ -79,13 +79,13 @@ TEST(SensorNoise, keepsCurrentsPlausible)
     s.frontCurrent = 176.0;
     s.rearCurrent = -125.0;
     const Proprioception read = noisy(s, SensorNoise{}, kSaturation, rng);
-    EXPECT_EQ(read.frontCurrent, kMostCurrent);
-    EXPECT_EQ(read.rearCurrent, -kMostCurrent);
+    EXPECT_EQ(read.frontCurrent, kMaxSceneCurrent);
+    EXPECT_EQ(read.rearCurrent, -kMaxSceneCurrent);
     TwoTrackReadings both;
     both.currents = {176.0, -125.0, 1.0, std::nullopt};
     const TwoTrackReadings found = noisy(both, SensorNoise::none(), kSaturation, rng);
-    EXPECT_EQ(found.currents[0], kMostCurrent);
-    EXPECT_EQ(found.currents[1], -kMostCurrent);
+    EXPECT_EQ(found.currents[0], kMaxSceneCurrent);
+    EXPECT_EQ(found.currents[1], -kMaxSceneCurrent);
     EXPECT_EQ(found.currents[2], 1.0);
     EXPECT_FALSE(found.currents[3]);
 }

@@ -412,20 +412,20 @@ void VerdictStrip::setAnswer(const QString& answer, const QString& stepVerdict, 
 
 void VerdictStrip::setLimit(double metres)
 {
-    limit_ = std::isfinite(metres) ? std::clamp(metres, kMinLimit, kGreatestLimit) : kStepLimit;
-    const bool lowest = limit_ <= kMinLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
+    limit_ = std::isfinite(metres) ? std::clamp(metres, kMinLimit, kMaxLimit) : kStepLimit;
+    const bool lowest = limit_ <= kMinLimit + 1e-9, highest = limit_ >= kMaxLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
     setTip(*lower_, lowest ? tr("%1 is the lowest limit").arg(format::length(kMinLimit, 2))
                            : tr("Lowers the step limit (PgDown)"));
-    setTip(*raise_, highest ? tr("%1 is the highest limit").arg(format::length(kGreatestLimit, 2))
+    setTip(*raise_, highest ? tr("%1 is the highest limit").arg(format::length(kMaxLimit, 2))
                             : tr("Raises the step limit (PgUp)"));
 }
 
 void VerdictStrip::choose(double metres)
 {
     const double rounded = std::round(metres / kLimitStep) * kLimitStep;
-    if (rounded < kMinLimit - 1e-9 || rounded > kGreatestLimit + 1e-9) return;
+    if (rounded < kMinLimit - 1e-9 || rounded > kMaxLimit + 1e-9) return;
     setLimit(rounded);
     emit limitChosen(limit_);
 }

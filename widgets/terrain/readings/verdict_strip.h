@@ -24,7 +24,7 @@ public:
     /// Shows the verdict of one plane.
     void setVerdict(const Verdict& verdict, const QString& probe = {});
     void setNothing(const QString& why);  ///< there is no estimate, so there is no verdict
-    void setLimit(double metres);         ///< clamped to kMinLimit … kGreatestLimit
+    void setLimit(double metres);         ///< clamped to kMinLimit … kMaxLimit
     void setStacked(bool stacked);        ///< puts the texts below the badge, for a narrow column
 
     // Texts of a verdict.
@@ -42,7 +42,7 @@ public:
     QPushButton* lowerButton() const { return lower_; }
     QPushButton* raiseButton() const { return raise_; }
 
-    static constexpr double kMinLimit = kLowestStepLimit, kGreatestLimit = kHighestStepLimit,
+    static constexpr double kMinLimit = kLowestStepLimit, kMaxLimit = kHighestStepLimit,
                             kLimitStep = 0.01;  ///< [m]
 
 signals:

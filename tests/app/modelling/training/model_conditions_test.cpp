@@ -45,7 +45,7 @@ TEST(ModelConditions, giveTheReasonWhyABinIsRefused)
 TEST(ModelConditions, areNotComputedForManyScenes)
 {
     ModelData model = toyModel();
-    model.scannedHeights.resize(kMostConditionRows + 1, kBins);
+    model.scannedHeights.resize(kMaxConditionRows + 1, kBins);
     EXPECT_EQ(conditionsText(model, FeatureSet::Pa),
               "condition of the pa models: not computed for more than 2500 scenes\n");
 }

@@ -252,7 +252,7 @@ TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
     for (const double hostile : gui::kHostile) {
         strip.setLimit(hostile);
         EXPECT_GE(strip.limit(), VerdictStrip::kMinLimit);
-        EXPECT_LE(strip.limit(), VerdictStrip::kGreatestLimit);
+        EXPECT_LE(strip.limit(), VerdictStrip::kMaxLimit);
     }
 }
 
