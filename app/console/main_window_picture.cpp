@@ -65,7 +65,7 @@ void MainWindow::addPictureKeys(KeyTable& keys)
                   takeSnapshot();
               }});
     keys.add({{kSecondViewKey},
-              tr("terrain and verdict in a second window, view only; again closes it"),
+              tr("open or close a second window with terrain and verdict, view only"),
               [this] { toggleSecondView(); }});
     profileMenu_->addSeparator();
     connect(profileMenu_->addAction(tr("Second window, view only (Ctrl+D)")), &QAction::triggered,

@@ -143,15 +143,15 @@ Status DbcBook::add(const std::string& path)
     remarks_.insert(remarks_.end(), file->warnings.begin(), file->warnings.end());
     if (ours.count() > 0)
         remarks_.push_back(
-            fileError(path, Message(TR_NOOP("core", "%1: the robot's protocol has that identifier "
-                                                    "and is what counts"),
-                                    ours.text()))
+            fileError(path,
+                      Message(TR_NOOP("core", "%1: ignored; the robot's protocol already uses "
+                                              "this identifier"),
+                              ours.text()))
                 .message);
     for (const auto& [other, ids] : theirs)
         remarks_.push_back(
-            fileError(path,
-                      Message(TR_NOOP("core", "%1: %2 describes that already and is what counts"),
-                              ids.text(), other))
+            fileError(path, Message(TR_NOOP("core", "%1: ignored; %2 already describes it"),
+                                    ids.text(), other))
                 .message);
     return Done{};
 }

@@ -126,13 +126,12 @@ Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const Estimate
 Status requireModest(const Settings& settings)
 {
     if (settings.chains > kMaxChainsAgain)
-        return Error{
-            Message(TR_NOOP("core", "its settings ask for %1 chains, and at most %2 are computed"),
-                    settings.chains, kMaxChainsAgain)};
+        return Error{Message(TR_NOOP("core", "its settings need %1 chains; the limit is %2"),
+                             settings.chains, kMaxChainsAgain)};
     const std::int64_t thrownAway = std::int64_t{settings.chains} * settings.burnIn;
     if (thrownAway + settings.draws > kMaxSweepsAgain)
-        return Error{Message(TR_NOOP("core", "its settings ask for %1 sweeps to be kept and %2 to "
-                                             "be thrown away, and at most %3 are computed"),
+        return Error{Message(TR_NOOP("core", "its settings need %1 kept and %2 discarded sweeps; "
+                                             "the limit is %3 in total"),
                              settings.draws, thrownAway, kMaxSweepsAgain)};
     return Done{};
 }

@@ -4240,12 +4240,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>její žurnál není vedle ní: oba soubory patří k sobě</translation>
     </message>
     <message>
-        <source>its settings ask for %1 chains, and at most %2 are computed</source>
-        <translation>její nastavení žádá %1 řetězců a počítá se jich nejvýše %2</translation>
+        <source>its settings need %1 chains; the limit is %2</source>
+        <translation>její nastavení žádá %1 řetězců; mez je %2</translation>
     </message>
     <message>
-        <source>its settings ask for %1 sweeps to be kept and %2 to be thrown away, and at most %3 are computed</source>
-        <translation>její nastavení žádá %1 průchodů k ponechání a %2 k zahození a počítá se jich nejvýše %3</translation>
+        <source>its settings need %1 kept and %2 discarded sweeps; the limit is %3 in total</source>
+        <translation>její nastavení žádá %1 ponechaných a %2 zahozených průchodů; mez je celkem %3</translation>
     </message>
     <message>
         <source>has too long an entry %1</source>
@@ -4256,8 +4256,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>její žurnál %1 není vedle ní: co se nahrálo potom, je v něm; oba soubory patří k sobě</translation>
     </message>
     <message>
-        <source>holds nothing without its journal %1, which is not beside it: both files belong together, copy both</source>
-        <translation>neobsahuje nic bez svého žurnálu %1, který není vedle ní: oba soubory patří k sobě, zkopírujte oba</translation>
+        <source>is empty without its journal %1, which is missing: copy both files</source>
+        <translation>je prázdná bez svého žurnálu %1, který chybí: zkopírujte oba soubory</translation>
     </message>
     <message>
         <source>is not made: the name of the bus %1 has control characters</source>
@@ -4980,12 +4980,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>není běžný soubor, čekalo by se na něj: zkopírujte jej do souboru</translation>
     </message>
     <message>
-        <source>%1: the robot&apos;s protocol has that identifier and is what counts</source>
-        <translation>%1: tento identifikátor má protokol robota a ten platí</translation>
+        <source>%1: ignored; the robot&apos;s protocol already uses this identifier</source>
+        <translation>%1: nepoužito; tento identifikátor už má protokol robota</translation>
     </message>
     <message>
-        <source>%1: %2 describes that already and is what counts</source>
-        <translation>%1: už to popisuje %2, a to platí</translation>
+        <source>%1: ignored; %2 already describes it</source>
+        <translation>%1: nepoužito; už to popisuje %2</translation>
     </message>
     <message>
         <source>%1 scenes with unknown values left out</source>
@@ -5392,7 +5392,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>řádek %1 dvou pásů: %2</translation>
     </message>
     <message>
-        <source>a number of its two tracks is no multiple of its step</source>
+        <source>a value of its two tracks is not a multiple of its step</source>
         <translation>číslo jeho dvou pásů není násobkem svého kroku</translation>
     </message>
     <message>
@@ -8553,8 +8553,8 @@ F1</translation>
         <translation>uložit snímek: obrázek a čísla, s poznámkou</translation>
     </message>
     <message>
-        <source>terrain and verdict in a second window, view only; again closes it</source>
-        <translation>terén a verdikt v druhém okně, jen pro čtení; znovu okno zavře</translation>
+        <source>open or close a second window with terrain and verdict, view only</source>
+        <translation>otevřít nebo zavřít druhé okno s terénem a verdiktem, jen pro čtení</translation>
     </message>
     <message>
         <source>Second window, view only (Ctrl+D)</source>
@@ -9451,7 +9451,7 @@ F1</translation>
         <translation>Filtr rámců</translation>
     </message>
     <message>
-        <source>Hold the picture</source>
+        <source>Pause display</source>
         <translation>Podržet obraz</translation>
     </message>
     <message>
@@ -11064,7 +11064,7 @@ F1</translation>
         <translation>Vzhled a zvuk</translation>
     </message>
     <message>
-        <source>All back to the defaults</source>
+        <source>Restore all defaults</source>
         <translation>Vše na výchozí</translation>
     </message>
     <message>
@@ -13020,8 +13020,8 @@ vpředu</translation>
         <translation>spojení bylo ztraceno</translation>
     </message>
     <message>
-        <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
-        <translation>Schod: dva body nejvýše %3 od sebe, jejichž výšky se liší o víc než mez, kdekoli od %1 do %2 před IMU</translation>
+        <source>A step: two bins at most %3 apart differ in height by more than the limit. The bins lie %1 to %2 ahead of the IMU</source>
+        <translation>Schod: výšky dvou bodů nejvýše %3 od sebe se liší o víc než mez. Body leží %1 až %2 před IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>

@@ -4240,12 +4240,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ihr Journal liegt nicht daneben: beide Dateien gehören zusammen</translation>
     </message>
     <message>
-        <source>its settings ask for %1 chains, and at most %2 are computed</source>
-        <translation>ihre Einstellungen verlangen %1 Ketten, und höchstens %2 werden gerechnet</translation>
+        <source>its settings need %1 chains; the limit is %2</source>
+        <translation>ihre Einstellungen verlangen %1 Ketten; die Grenze ist %2</translation>
     </message>
     <message>
-        <source>its settings ask for %1 sweeps to be kept and %2 to be thrown away, and at most %3 are computed</source>
-        <translation>ihre Einstellungen verlangen %1 behaltene und %2 verworfene Durchläufe, und höchstens %3 werden gerechnet</translation>
+        <source>its settings need %1 kept and %2 discarded sweeps; the limit is %3 in total</source>
+        <translation>ihre Einstellungen verlangen %1 behaltene und %2 verworfene Durchläufe; die Grenze ist zusammen %3</translation>
     </message>
     <message>
         <source>has too long an entry %1</source>
@@ -4256,8 +4256,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ihr Journal %1 liegt nicht daneben: was danach aufgezeichnet wurde, steht darin; beide Dateien gehören zusammen</translation>
     </message>
     <message>
-        <source>holds nothing without its journal %1, which is not beside it: both files belong together, copy both</source>
-        <translation>enthält nichts ohne ihr Journal %1, das nicht daneben liegt: beide Dateien gehören zusammen, beide kopieren</translation>
+        <source>is empty without its journal %1, which is missing: copy both files</source>
+        <translation>ist leer ohne ihr Journal %1, das fehlt: beide Dateien kopieren</translation>
     </message>
     <message>
         <source>is not made: the name of the bus %1 has control characters</source>
@@ -4980,12 +4980,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist keine gewöhnliche Datei, auf sie würde gewartet: in eine Datei kopieren</translation>
     </message>
     <message>
-        <source>%1: the robot&apos;s protocol has that identifier and is what counts</source>
-        <translation>%1: das Protokoll des Roboters hat diese Kennung, und das gilt</translation>
+        <source>%1: ignored; the robot&apos;s protocol already uses this identifier</source>
+        <translation>%1: ignoriert; das Protokoll des Roboters hat diese Kennung schon</translation>
     </message>
     <message>
-        <source>%1: %2 describes that already and is what counts</source>
-        <translation>%1: %2 beschreibt das schon, und das gilt</translation>
+        <source>%1: ignored; %2 already describes it</source>
+        <translation>%1: ignoriert; %2 beschreibt das schon</translation>
     </message>
     <message>
         <source>%1 scenes with unknown values left out</source>
@@ -5392,7 +5392,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Zeile %1 der zwei Ketten: %2</translation>
     </message>
     <message>
-        <source>a number of its two tracks is no multiple of its step</source>
+        <source>a value of its two tracks is not a multiple of its step</source>
         <translation>eine Zahl seiner zwei Ketten ist kein Vielfaches ihrer Schrittweite</translation>
     </message>
     <message>
@@ -8552,8 +8552,8 @@ F1</translation>
         <translation>Schnappschuss sichern: Bild und Zahlen, mit Notiz</translation>
     </message>
     <message>
-        <source>terrain and verdict in a second window, view only; again closes it</source>
-        <translation>Gelände und Urteil in einem zweiten Fenster, nur Anzeige; erneut schließt es</translation>
+        <source>open or close a second window with terrain and verdict, view only</source>
+        <translation>zweites Fenster mit Gelände und Urteil öffnen oder schließen, nur Anzeige</translation>
     </message>
     <message>
         <source>Second window, view only (Ctrl+D)</source>
@@ -9450,7 +9450,7 @@ F1</translation>
         <translation>Filter der Rahmen</translation>
     </message>
     <message>
-        <source>Hold the picture</source>
+        <source>Pause display</source>
         <translation>Bild anhalten</translation>
     </message>
     <message>
@@ -11063,7 +11063,7 @@ F1</translation>
         <translation>Aussehen und Ton</translation>
     </message>
     <message>
-        <source>All back to the defaults</source>
+        <source>Restore all defaults</source>
         <translation>Alles auf Standard</translation>
     </message>
     <message>
@@ -13019,8 +13019,8 @@ voraus</translation>
         <translation>Verbindung war verloren</translation>
     </message>
     <message>
-        <source>A step: two bins at most %3 apart that differ in height by more than the limit, anywhere from %1 to %2 ahead of the IMU</source>
-        <translation>Eine Stufe: zwei Felder, höchstens %3 voneinander, deren Höhen um mehr als die Grenze verschieden sind, irgendwo von %1 bis %2 vor der IMU</translation>
+        <source>A step: two bins at most %3 apart differ in height by more than the limit. The bins lie %1 to %2 ahead of the IMU</source>
+        <translation>Eine Stufe: die Höhen zweier Felder, höchstens %3 voneinander, sind um mehr als die Grenze verschieden. Die Felder liegen %1 bis %2 vor der IMU</translation>
     </message>
     <message>
         <source>felt to %1 ahead of the IMU, risk below %2 %</source>

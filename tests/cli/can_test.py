@@ -263,7 +263,7 @@ VAL_ 291 State 1 "ready" ;
         self.assertIn("123       Payload                    -     by gas.dbc; Oxygen 20.71 %, State ready", done.stdout)
         self.assertIn("124       unknown ", done.stdout)
         self.assertEqual(self.totals(done.stdout), (0, 0, 0, 0, 1, 1))
-        self.assertIn("gas.dbc: frame 022: the robot's protocol has that identifier", done.stderr)
+        self.assertIn("gas.dbc: frame 022: ignored; the robot's protocol already uses this identifier", done.stderr)
         got = [row for row in rows(self.csv) if row["frame"] == "Payload"]
         self.assertEqual([(row["signal"], row["value"], row["unit"]) for row in got],
                          [("Oxygen", "20.71", "%"), ("State", "ready", "")])
@@ -274,7 +274,7 @@ VAL_ 291 State 1 "ready" ;
                               capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"123 +Payload .* Oxygen 20.71 %, State ready\n")
-        self.assertEqual(done.stderr.count("frame 123: gas.dbc describes that already and is what counts"), 1, done.stderr)
+        self.assertEqual(done.stderr.count("frame 123: ignored; gas.dbc already describes it"), 1, done.stderr)
 
     def test_the_first_of_two_dbc_files_wins(self):
         other = self.path / "other.dbc"

@@ -210,7 +210,7 @@ class WithoutJournal(Damaged):
         path.write_bytes(data)
         for command in ("info", "recover"):
             said = complaint("session", command, path)
-            self.assertIn("its journal older.tts-wal, which is not beside it: both files belong together", said)
+            self.assertIn("its journal older.tts-wal, which is missing: copy both files", said)
 
 
 class NothingCanBeWritten(Damaged):
@@ -349,11 +349,12 @@ class Hostile(Damaged):
     def test_settings_for_days_of_computing_are_named(self):
         path = hostile_files.changed(self.drive, self.path / "long.tts",
                                      ("UPDATE settings SET chains = 100000, burn_in = 10000000",))
-        self.assertIn("its settings ask for 100000 chains, and at most 4096 are computed",
+        self.assertIn("its settings need 100000 chains; the limit is 4096",
                       self.check(path, "what-if", codes=(1,))[0])
         path = hostile_files.changed(self.drive, self.path / "longer.tts",
                                      ("UPDATE settings SET chains = 8, burn_in = 10000000",))
-        self.assertIn("80000000 to be thrown away, and at most 2000000", self.check(path, "what-if", codes=(1,))[0])
+        self.assertIn("80000000 discarded sweeps; the limit is 2000000 in total",
+                      self.check(path, "what-if", codes=(1,))[0])
 
     def test_what_if_ends_with_a_message_at_ctrl_c(self):
         path = hostile_files.changed(

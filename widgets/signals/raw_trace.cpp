@@ -138,7 +138,7 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     filter_->setPlaceholderText(tr("id (hexadecimal) or a part of the name"));
     filter_->setAccessibleName(tr("Filter of the frames"));
     filter_->setClearButtonEnabled(true);
-    pause_ = new QPushButton(tr("Hold the picture"), this);
+    pause_ = new QPushButton(tr("Pause display"), this);
     pause_->setCheckable(true);
     pause_->setFocusPolicy(Qt::TabFocus);
     setTip(*pause_, tr("Display paused; recording and counting continue"));
@@ -168,7 +168,7 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     column->addWidget(view_, 1);
     connect(filter_, &QLineEdit::textChanged, this, &RawTrace::applyFilter);
     connect(pause_, &QPushButton::toggled, this, [this](bool held) {
-        pause_->setText(held ? tr("Paused: continue") : tr("Hold the picture"));
+        pause_->setText(held ? tr("Paused: continue") : tr("Pause display"));
     });
     resizeToFont();
 }

@@ -85,7 +85,7 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
     buildEstimate(estimateForm);
     const auto [look, lookForm] = card(tr("Look and sound"));
     buildLook(lookForm);
-    defaults_ = new QPushButton(tr("All back to the defaults"), look);
+    defaults_ = new QPushButton(tr("Restore all defaults"), look);
     setTip(*defaults_, defaultsTip());
     files_ = new QPushButton(tr("Profiles, export and import …"), look);
     setTip(*files_, tr("All settings as named profiles or as one file (Ctrl+,)"));

@@ -77,8 +77,8 @@ std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
 {
     if (!lonely.empty() && !file.prepare("SELECT 1 FROM sqlite_schema").step())
         throw SqliteError(
-            Message(TR_NOOP("core", "holds nothing without its journal %1, which is not beside it: "
-                                    "both files belong together, copy both"),
+            Message(TR_NOOP("core", "is empty without its journal %1, which is missing: copy both "
+                                    "files"),
                     lonely + "-wal"));
     requireStored(file.integer("PRAGMA application_id") == kSessionApplicationId,
                   TR_NOOP("core", "is an SQLite file of another application, not a session"));

@@ -68,7 +68,7 @@ TEST_F(Books, neverOverrideTheProtocol)
     EXPECT_TRUE(book.find(gas(519)));
     ASSERT_EQ(book.remarks().size(), 1U);
     EXPECT_EQ(book.remarks()[0].english(),
-              path + ": frame 022: the robot's protocol has that identifier and is what counts");
+              path + ": frame 022: ignored; the robot's protocol already uses this identifier");
 
     DbcBook absolem(CanProtocol::Absolem);
     ASSERT_TRUE(absolem.add(write("elmo.dbc", "BO_ 34 A: 8 X\nBO_ 647 C: 8 X\n")));
@@ -84,8 +84,8 @@ TEST_F(Books, doNotDescribeFramesOfTheProtocol)
     ASSERT_EQ(book.remarks().size(), 1U);
     EXPECT_EQ(book.remarks()[0].english(),
               path
-                  + ": 30 frames (010, 011, 012, 013 …): the robot's protocol "
-                    "has that identifier and is what counts");
+                  + ": 30 frames (010, 011, 012, 013 …): ignored; the robot's protocol "
+                    "already uses this identifier");
 }
 
 TEST_F(Books, letTheFirstOfTwoFilesCount)
@@ -97,7 +97,7 @@ TEST_F(Books, letTheFirstOfTwoFilesCount)
     EXPECT_EQ(book.find(gas(292))->file, "two.dbc");
     ASSERT_EQ(book.remarks().size(), 1U);
     EXPECT_EQ(book.remarks()[0].english(),
-              two + ": frame 123: one.dbc describes that already and is what counts");
+              two + ": frame 123: ignored; one.dbc already describes it");
 }
 
 TEST_F(Books, stayAsTheyWereWhenAFileCannotBeUsed)

@@ -40,7 +40,8 @@ TEST_F(ForeignFramesOnThePage, aBadDbcFileIsReportedAndStopsNothing)
     EXPECT_TRUE(troubles[0].contains("bad.dbc: describes no message"));
     EXPECT_TRUE(troubles[0].contains("line 1: expected the keyword"));
     EXPECT_TRUE(troubles[1].contains("none.dbc: cannot be opened"));
-    EXPECT_TRUE(troubles[2].contains("frame 022: the robot's protocol has that identifier"));
+    EXPECT_TRUE(troubles[2].contains(
+        "frame 022: ignored; the robot's protocol already uses this identifier"));
     EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all listed in this tooltip"));
     const QList<QLabel*> labels = page->findChildren<QLabel*>();
     const auto label = std::ranges::find_if(labels, [](const QLabel* at) {

@@ -176,8 +176,8 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     question_->setObjectName(QStringLiteral("verdictQuestion"));
     question_->setWordWrap(true);
     setTip(*question_,
-           tr("A step: two bins at most %3 apart that differ in height by more than the limit, "
-              "anywhere from %1 to %2 ahead of the IMU")
+           tr("A step: two bins at most %3 apart differ in height by more than the limit. The bins "
+              "lie %1 to %2 ahead of the IMU")
                .arg(format::lengthNumber(binBegin(kFirstAhead), 2),
                     format::length(binEnd(kBins - 1), 2),
                     format::length(kStepBins * kBinWidth, 1)));

@@ -150,7 +150,7 @@ void requireStep(double value, const Column& column, double step, Eigen::Index r
         return Message(TR_NOOP("core", "row %1 of two tracks: %2"), row, column.refusal(value));
     });
     require(inSteps(value, step) == value,
-            TR_NOOP("core", "a number of its two tracks is no multiple of its step"));
+            TR_NOOP("core", "a value of its two tracks is not a multiple of its step"));
 }
 
 /// Returns the column of one plane that a feature of a side resembles.
@@ -203,7 +203,7 @@ void requireSides(const SurfaceData& sides)
              == sides.clearance.residuals.array().unaryExpr(
                  [](double residual) { return inSteps(residual, kResidualStep); }))
                 .all(),
-            TR_NOOP("core", "a number of its two tracks is no multiple of its step"));
+            TR_NOOP("core", "a value of its two tracks is not a multiple of its step"));
 }
 
 void requireScannedHeights(const ModelData& model)
