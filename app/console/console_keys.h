@@ -14,13 +14,13 @@ class HeldButton;
 class KeyTable;
 class MainWindow;
 
-// A key and a control of the gamepad act by the same functions.
+// Keys and gamepad controls call the same functions.
 
-/// Holds a button that moves the robot (dead-man control). Without effect, it shows the reason.
+/// Holds a button that moves the robot (dead-man control). If that has no effect, shows the reason.
 void holdToMove(HeldButton& button, MainWindow& window,
                 std::optional<Message> (Exploration::*whyNot)() const);
 
-/// A control acts only if the button of the same action is visible. Use: and enabled.
+/// Condition under which a control acts: the button of the same action is visible. Use: it is also enabled.
 enum class Needs { Visible, Use };
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
                              Needs needs = Needs::Use);

@@ -137,9 +137,9 @@ public:
     HistoryControl& history() const { return *history_; }
 
 signals:
-    /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded from here was ended.
+    /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded by this console has ended.
     void reopenWanted();
-    /// The console is to be connected anew. Motion commanded from here was ended.
+    /// The operator chose another connection. Motion commanded by this console has ended.
     void connectionWanted(const terratact::ConnectionWish& wish);
 
 protected:

@@ -11,14 +11,14 @@ namespace terratact {
 class DriveText {
     Q_DECLARE_TR_FUNCTIONS(DriveText)
 public:
-    /// Returns "!", "✘" or nothing, with the word: "! STEEP", "✘ DANGER".
+    /// Returns the level with its mark: "! STEEP", "✘ DANGER".
     static QString level(AttitudeLevel level);
     static QString limits(const AttitudeLimits& limits);  ///< "! 25° ✘ 35°"
     /// Returns the element with the largest force of each flipper in contact: "L5 R4", "none".
     static QString contacts(const FlipperContacts& state);
-    /// Returns the same in whole words with the forces: "left 5: 12.0 N; right 4: 3.1 N".
+    /// Returns the text of contacts() for screen readers, with forces: "left 5: 12.0 N; right 4: 3.1 N".
     static QString contactsSpoken(const FlipperContacts& state);
-    /// Returns the largest force in short: "12 N"; nothing without a contact.
+    /// Returns the largest force: "12 N"; an empty text without a contact.
     static QString force(const FlipperContacts& state);
     static QString speed(double metresPerSecond);  ///< "+0.12 m/s"
 };

@@ -19,10 +19,10 @@ QString placeText(ProbePlace place);
 /// Returns the name of a bin with its side: "bin 0.5 m", "left bin 0.5 m" or "right bin 0.5 m".
 QString binText(ProbePlace place);
 
-/// Returns the name of a place in short: "0.5 m", "L 0.5 m" or "R 0.5 m".
+/// Returns the short name of a place: "0.5 m", "L 0.5 m" or "R 0.5 m".
 QString sidePlace(ProbePlace place);
 
-/// Returns the same without the unit where a side is named: "0.5 m", "L 0.5" or "R 0.5".
+/// Returns the shortest name of a place, without the unit if a side is named: "0.5 m", "L 0.5" or "R 0.5".
 QString shortPlace(ProbePlace place);
 
 }  // namespace terratact

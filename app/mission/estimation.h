@@ -60,16 +60,16 @@ public:
     void poll(const std::optional<Received>& latest, bool telemetryFresh);
     /// Prepares the model's Gaussian processes for an exploration while the worker is idle.
     void prepare();
-    /// Makes a preview with the local method, or trail, as often as the worker keeps up with telemetry. It stays until
-    /// a preview fails, an estimate is ready, or endPreview().
+    /// Requests a preview with the local method, or with trail, whenever the worker is free. The preview stays until a
+    /// later one fails, an estimate is ready, or endPreview().
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
     /// Captures a scene and estimates it. The scene is the first sample of the press, so that every console captures
     /// the same one. If that did not come after sample `since`, the newest sample is used. After another press in
     /// place, the arm's readings there still count (TrailRecord::armHere()).
     void begin(const Received& latest, std::uint64_t since);
-    /// Scores the estimate of the reading's side against the reading in its scene, and estimates again with it. A
-    /// reading in the middle of two sides is of neither: it is not scored.
+    /// Scores the estimate of the reading's side against the reading, then estimates the scene again with the reading.
+    /// A reading in the middle of two sides belongs to neither side and is not scored.
     void addArmReading(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< cancels all running jobs
@@ -78,8 +78,8 @@ public:
     void forget(const Message& why);
     /// Takes the estimate out of the strip; without one, ends the strip's section.
     void takeBack();
-    /// Does as forget() and takeBack(), and forgets the way, so that restore() can undo both. Restoring needs the
-    /// same model and pose, and no newer scene.
+    /// Does forget() and takeBack() so that restore() can undo both, and forgets the way. restore() needs the same
+    /// model and pose, and no newer scene.
     void setAside(const Message& why);
     bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
     bool restore();  ///< returns false if nothing is set aside

@@ -32,7 +32,7 @@ struct EstimateRequest {
     double seconds = 0.0;           ///< time limit of the sampling; 0: no limit
     /// Only prepares the Gaussian processes of a sampling method; the estimate is empty.
     bool prepares = false;
-    /// What the way before tells of the scene; the method Trail uses it.
+    /// Memory of the way before the scene, for the method Trail.
     std::optional<TrailHistory> memory{};
 };
 

@@ -19,29 +19,28 @@ struct ProbeBasis {
     ProbePolicy policy;
 };
 ProbeProposal describeProbe(const ProbeBasis& basis, ProbePlace place);  ///< the result has id 0
-/// Returns the place most worth probing, whether or not it is proposed. Without a ranking it is the unread place in
-/// reach with the largest sd. Empty: no place is left.
+/// Returns the place with the largest expected gain, whether or not it is proposed. Without a ranking it is the unread
+/// place in reach with the largest sd. Empty: no place is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
 /// Makes the probe proposals, one at a time, each with its own id. A proposal has the bin's estimate, the gain of
 /// probing it, and the gains of other bins.
 class ProbeProposals {
 public:
-    /// seconds: expected duration of a probe. policy: read at every offer. The other arguments must outlive the object,
-    /// too.
+    /// seconds: expected duration of a probe. policy: read at every offer. All references must outlive the object.
     ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds,
                    const ProbePolicy& policy);
 
     /// Returns what to propose for the present estimate, which must exist.
     ProbeOffer offer() const { return offer(policy_); }
-    ProbeOffer offer(ProbePolicy policy) const;  ///< the same by another policy
+    ProbeOffer offer(ProbePolicy policy) const;  ///< offer() by another policy
 
     /// Returns bestProbe() of the present estimate; empty without one, or if its pitch was suspected.
     std::optional<ProbeProposal> best() const;
 
-    /// Proposes a place of the present estimate, which must exist; replaces the last proposal. One plane has places in
-    /// the middle only, and both sides have none there: another place becomes the one at the same bin, on the side with
-    /// the larger sd.
+    /// Proposes a place of the present estimate, which must exist; replaces the last proposal. One plane has places
+    /// only in the middle, two sides have none there. A place that the estimate lacks is replaced: the new place has
+    /// the same bin, on the side with the larger sd.
     void propose(ProbePlace place);
     void withdraw() { current_.reset(); }
 

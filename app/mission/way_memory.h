@@ -11,15 +11,15 @@
 
 namespace terratact {
 
-/// What is remembered of the way before a scene.
+/// Memory of the way before a scene.
 struct SceneMemory {
     std::optional<TrailHistory> history{};  ///< empty: nothing that an estimate can use
-    Message why{};                          ///< reason that there is nothing
+    Message why{};                          ///< reason for an empty history
 };
 
-/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It begins anew after a
-/// break of the way, and when the operator clears the ground. It also does so while a sensor that
-/// carries it is suspected. A break is a silence, a jump of the odometry or a turn (core/strip/strip_way.h).
+/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It is cleared by a break of the way, by the
+/// operator, and while a sensor that it needs is suspected. A break is a silence, a jump of the odometry or a turn
+/// (core/strip/strip_way.h).
 class WayMemory {
 public:
     explicit WayMemory(const RobotModel& robot) : record_(robot) {}
@@ -31,11 +31,11 @@ public:
     /// Forgets the way because the operator has cleared the ground.
     void clear() { record_.end(SectionStart::Cleared); }
 
-    /// Returns what is remembered before a scene.
+    /// Returns the memory of the way before a scene.
     SceneMemory before(const Measurement& scene) const;
     /// Keeps the presses of a scene for the scenes after it. The scene counts as a line of telemetry.
     void addScene(const Measurement& scene) { record_.addScene(scene); }
-    /// Returns the arm's readings that belong to the newest scene: those before a press in place, too.
+    /// Returns the arm's readings of the newest scene, including those before a press in place.
     std::vector<ArmReading> armHere() const { return record_.armHere(); }
     /// Forgets what was felt, because a sensor is suspected.
     void forgetFelt() { record_.forgetFelt(); }

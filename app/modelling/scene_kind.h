@@ -8,11 +8,11 @@ namespace terratact {
 
 /// Kind of a file of scenes or drives, by its header.
 struct SceneKind {
-    bool isPlane = false;   ///< it has no column roll_rad
-    bool isDrives = false;  ///< it has a column kind
+    bool isPlane = false;   ///< the file has no column roll_rad
+    bool isDrives = false;  ///< the file has a column kind
 };
 
-/// Returns it. Errors name a file that cannot be read.
+/// Returns the kind of a file. Errors name a file that cannot be read.
 Result<SceneKind> sceneKindOf(const std::string& path);
 
 }  // namespace terratact

@@ -19,7 +19,7 @@ class NumbersTable;
 /// Content of the numbers page.
 struct NumbersViewState {
     const TwoTrackEstimate* estimate = nullptr;  ///< null: no estimate
-    std::uint64_t revision = 0;                  ///< of the estimate: the same number, the same one
+    std::uint64_t revision = 0;                  ///< equal revisions mean the same estimate
     QString whyNoEstimate{};
     double stepLimit = kStepLimit;             ///< [m]
     std::optional<TwoTrackVerdict> verdict{};  ///< verdict of the estimate

@@ -19,9 +19,10 @@ public:
 
     // Rows.
     const PlotRows& rows() const { return rows_; }
-    void setRows(PlotRows rows);            ///< drops what is too much
+    void setRows(PlotRows rows);            ///< keeps at most kMaxRows rows of kMaxInRow signals
     std::vector<std::string> keys() const;  ///< every key once
-    /// Adds a signal to a row; rows().size(): to a new one. Returns false if there is no room. It is there once only.
+    /// Adds a signal to a row; rows().size(): to a new row. Returns false if there is no room. A row holds each signal
+    /// once.
     bool add(const std::string& key, std::size_t row);
     void remove(const std::string& key, std::size_t row);
     void removeRow(std::size_t row);
@@ -30,7 +31,7 @@ public:
     bool isFull() const;  ///< no further signal fits
 
     // Span.
-    /// Sets the ends of the data. Following, the span moves with them.
+    /// Sets the ends of the data. While follows(), the span moves with them.
     void setEnds(double begin, double end);
     double from() const { return from_; }
     double to() const { return to_; }
@@ -40,22 +41,21 @@ public:
     void follow();  ///< shows the newest values
     void showAll();
     void show(double from, double to);
-    void
-    zoom(double factor,
-         double at);  ///< factor > 1: closer; `at` keeps its place, the newest value if following
+    /// Zooms in by a factor above 1. `at` keeps its place; while follows(), the newest value does.
+    void zoom(double factor, double at);
     void move(double seconds);  ///< later if positive
 
     // Cursor and values.
     std::optional<double> cursor() const { return cursor_; }
     void setCursor(std::optional<double> seconds) { cursor_ = seconds; }
-    /// Moves the span so that `seconds` stays in sight if it was.
+    /// Moves the span so that `seconds` stays visible if the last such time was.
     void keepInView(double seconds);
     const std::optional<std::pair<double, double>>& values(std::size_t row) const
     {
         return values_.at(row);
     }
     void setValues(std::size_t row, std::pair<double, double> range);
-    void fitValues();  ///< of all rows: the ranges follow the values in sight
+    void fitValues();  ///< lets the ranges of all rows follow the visible values
 
 private:
     void clampSpan();

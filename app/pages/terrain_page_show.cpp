@@ -160,7 +160,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     const bool isStale = viewState.measurement && viewState.age > kStaleAfter && !viewState.ended;
     terrain_->setStale(isStale ? std::optional(viewState.age) : std::nullopt);
     showVerdict(viewState);
-    showPose(viewState);  // after the verdict, which decides the side in full
+    showPose(viewState);  // after showVerdict(), which selects the side that is drawn in full
     showContacts(viewState);
     showProbe(viewState);
     strip_->setProgress(viewState.progress);

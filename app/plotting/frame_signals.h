@@ -25,19 +25,19 @@ std::vector<PlotSignal> payloadSignals(const CanFrame& frame, const DescribedFra
 /// Decodes chosen signals of judged frames.
 class FrameSignals {
 public:
-    /// A value of the signal with this number.
+    /// Value of a chosen signal; `signal`: index of its key in choose().
     struct Value {
         std::size_t signal = 0;
         double value = 0.0;
     };
 
-    /// Decodes the signals of these keys from now on; keys of other origins are ignored. A value has the key's index.
+    /// Decodes the signals of these keys from now on; keys of other origins are ignored.
     void choose(const std::vector<std::string>& keys);
     /// Uses these DBC descriptions from now on; null: none.
     void describe(std::shared_ptr<const DbcBook> book);
     bool isIdle() const { return chosen_.empty(); }  ///< no signal of a frame is chosen
 
-    /// Adds the chosen values of a frame to `values`, which is not cleared. A frame that is not sound has none.
+    /// Appends the chosen values of a frame to `values`. A frame that failed its checks has none.
     void decode(const CanFrame& frame, const JudgedFrame& judged, std::vector<Value>& values);
 
 private:
@@ -47,7 +47,7 @@ private:
     };
     struct Described {
         std::shared_ptr<const DescribedFrame> frame;
-        std::vector<Wanted> wanted;  ///< empty: nothing of the frame is chosen
+        std::vector<Wanted> wanted;  ///< empty: no signal of the frame is chosen
     };
     const Described& describedBy(const CanFrame& frame);
 

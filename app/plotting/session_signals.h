@@ -18,9 +18,9 @@
 namespace terratact {
 
 /// The plotted signals of a session. A thread with its own reader reads the whole file once for
-/// newly chosen signals. It keeps them in kBuckets each. A span that needs more is read again, that
-/// span only. Until then, view() shows the buckets. It follows a session that still grows. Nothing
-/// is read before the first choose().
+/// newly chosen signals, and keeps kBuckets of each. If a span needs a finer resolution, the thread
+/// reads that span again. Until then, view() shows the buckets. It follows a session that still
+/// grows. Nothing is read before the first choose().
 class SessionSignals final : public PlotSource {
 public:
     static constexpr std::size_t kBuckets = 65'536;  ///< of the whole session: 4 MB for each signal
@@ -40,7 +40,7 @@ public:
     std::uint64_t version() const override;
     double share() const override;
     Message trouble() const override;
-    /// Returns true if everything chosen is read, and no span waits to be read again.
+    /// Returns true if all chosen signals are read, and no span must be read again.
     bool isIdle() const;
 
 private:

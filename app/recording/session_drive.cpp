@@ -28,7 +28,7 @@ DriveLine lineOf(const Measurement& m, double time, bool onePlane)
     return line;
 }
 
-/// Returns true if a line tells more than the one before.
+/// Returns true if a line differs enough from the last kept one.
 bool isFurther(const Measurement& line, const Measurement& before)
 {
     const double turn =

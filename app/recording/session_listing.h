@@ -20,8 +20,8 @@ struct SessionFolderFiles {
     std::size_t leftOut = 0;  ///< older names beyond `most`
 };
 
-/// Returns the recordings of a folder, at most `most`. Errors name the folder that cannot be read, or what names one if
-/// it is empty as that of sessionFolder() may be.
+/// Returns the recordings of a folder, at most `most`. Errors name the folder that cannot be read. For an empty path,
+/// which sessionFolder() may return, the Error names what sets the folder.
 Result<SessionFolderFiles> sessionFilesIn(const std::string& folder, std::size_t most = 10'000);
 
 /// A recording as a list shows it.

@@ -33,8 +33,8 @@ Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const Estim
                                        const Models& models, const Settings& settings,
                                        const Watch& watch = {});
 
-/// Returns an Error that names the setting if settings would compute for days; a file can ask for that. The bounds are
-/// far above all recorded settings.
+/// Returns an Error that names a setting with which an estimate would take days: settings come from a file. The bounds
+/// are far above all usual settings.
 Status requireModest(const Settings& settings);
 inline constexpr int kMaxChainsAgain = 4096;
 /// Kept and discarded sweeps of all chains.
@@ -50,13 +50,13 @@ struct BinDifference {
 /// another order of summation in a later version, cause such differences.
 inline constexpr double kLastBits = 1e-6;
 
-/// Match of two estimates. Settings count by the verdict alone. A touch that one of the two did not record, as in
-/// the oldest sessions, does not count, and neither does the verdict then.
+/// Match of two estimates. Settings count only through the verdict. If one of the two did not record its touches, as in
+/// the oldest sessions, touches and verdict are not compared.
 enum class Match {
     /// Every number of both sides, draws included, is bit-identical. Touch, missing sensors, texts, the posterior check
     /// and the verdict are equal.
     Identical,
-    LastBits,  ///< every number within kLastBits, the rest equal
+    LastBits,  ///< every number differs by at most kLastBits; all else is equal
     Other
 };
 

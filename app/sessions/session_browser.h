@@ -64,8 +64,8 @@ private:
 
     BrowserWish wish_;
     QString folder_;
-    bool follows_ = true;        ///< the first row is chosen, whichever it is
-    bool choosesFirst_ = false;  ///< a choice that is being made is not the operator's
+    bool follows_ = true;        ///< the choice stays at the first row
+    bool choosesFirst_ = false;  ///< the program is choosing a row, not the operator
     SessionReading::News read_;  ///< without the sessions
     std::unique_ptr<SessionReading> reading_;
 

@@ -12,9 +12,9 @@ namespace terratact {
 struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite, Folder };
     QString title;
-    /// A path, a file name alone, or the start folder of the first call. Later dialogs with the same title begin where
-    /// their last file was. A file name alone is proposed there, and at first in documentsFolder(). A file to write
-    /// gets a free name: newFile(). Empty: the last folder of any dialog, else the working directory.
+    /// A path, a file name, or a folder for the first dialog with this title. Later dialogs with the same title begin
+    /// in the folder of their last file, and at first in documentsFolder() if only a name is given. The name of a file
+    /// to write is made unique by newFile(). Empty: the last folder of any dialog, else the working directory.
     QString start{};
     QString filter{};  ///< in the format of QFileDialog
     Kind kind = Kind::Existing;

@@ -19,8 +19,8 @@ struct NumberBoxText {
     double unit = 1.0;
 };
 
-/// A QSpinBox or QDoubleSpinBox that always has room for its number. In a form the label of another row may take all
-/// the width but the least of that row's field, so this least is the same for all.
+/// A QSpinBox or QDoubleSpinBox whose minimum width fits its number. All boxes have the same minimum width, because a
+/// form shrinks its fields to their minimum beside a long label.
 template <class Box>
 class RoomyBox final : public Box {
 public:

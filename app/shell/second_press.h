@@ -8,15 +8,15 @@ class QPushButton;
 
 namespace terratact {
 
-/// Makes a button ask for a second press within 8 s before it acts. A second press within 0.7 s is a double click and
-/// counts for nothing.
+/// Makes a button act only after a second press within 8 s. A second press within 0.7 s is a double click and is
+/// ignored.
 class SecondPress final : public QObject {
     Q_OBJECT
 public:
     /// question: the button's text while it waits for the second press.
     SecondPress(QPushButton& button, const QString& question);
 
-    void cancel();  ///< forgets a first press; call it when the button would act on another thing
+    void cancel();  ///< forgets a first press; call it if the button's target changes
 
 signals:
     void confirmed();

@@ -54,10 +54,10 @@ public:
     /// completes.
     std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
 
-    /// Reports that window and panel have both responded now. After 0.1 s without it a drive is
+    /// Reports that window and panel have both responded now. After 0.1 s without a report a drive is
     /// halted. The robot is also disarmed if anything moves or was commanded to move; a latched STOP
-    /// and an unknown status count as moving. Otherwise
-    /// only commands are refused, for up to 1 s: heartbeats continue, and the robot stays armed.
+    /// and an unknown status count as moving. Otherwise only commands are refused, for up to 1 s:
+    /// heartbeats continue, and the robot stays armed.
     void operatorAlive(double now);
 
     // Actions of the operator, see core/atem/arming.h; they take effect at the next tick.

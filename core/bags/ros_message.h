@@ -10,8 +10,8 @@ namespace terratact {
 
 /// Decodes a message of ROS 1: members follow each other without gaps, little-endian. Texts and counted
 /// arrays have a length of 32 bits in front. Of long arrays only FieldValue::kMaxElements elements are
-/// kept. Errors name the member, the byte of the message and what was expected. Bytes behind the last
-/// member are an error, too: then the definition is not that of the message.
+/// kept. Errors name the member, the byte of the message and what was expected. Bytes after the last
+/// member are an error, because the definition does not match the message.
 Result<FieldValue> decodeRos1(const MessageSchema& schema, std::string_view data);
 
 /// Decodes a message of ROS 2: OMG CDR behind an encapsulation header of four bytes, plain CDR of

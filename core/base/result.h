@@ -23,7 +23,7 @@ struct Error {
 
     std::string text;  ///< in English
     int code;          ///< errno where the system gave one, else 0
-    Message message;   ///< the same for the operator's language
+    Message message;   ///< translatable form of `text`
 };
 
 /// A value, or the Error that prevented it. Reading the absent one throws std::bad_variant_access.

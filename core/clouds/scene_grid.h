@@ -17,7 +17,7 @@ inline constexpr double kTruthCell = 0.02;  ///< [m] along a line; five cells ma
 inline constexpr std::size_t kCellsOfBin = 5;
 /// Heights of the DEM frame in which points are kept [m]: the ground, not what hangs above the robot.
 inline constexpr double kLowestTruth = -1.5, kHighestTruth = 0.8;
-inline constexpr int kMaxCellsMoved = 10;  ///< 0.2 m, by which a scene's cloud may be moved along
+inline constexpr int kMaxCellsMoved = 10;  ///< cells by which moveAlong() may move a scene's cloud
 
 /// Cells of one place as plain values, by lines and their cells.
 struct PlaceCells {
@@ -28,23 +28,22 @@ struct PlaceCells {
 };
 
 /// Cells under the lines of every scene, which collect the heights of a cloud's points. Each cell
-/// keeps a sample of its heights, every point with the same probability. So memory does not grow
-/// with the cloud. The same points in the same order give the same sample.
+/// keeps a sample of its heights, every point with the same probability. Memory therefore does not
+/// grow with the cloud. Equal points in equal order give equal samples.
 class SceneGrid {
 public:
     static constexpr std::size_t kMaxSamples = 60'800'000;  ///< of all cells: 243 MB
     static constexpr std::size_t kMaxPerPlace = 500;
     static constexpr std::size_t kMaxPerCell = 48, kMinPerCell = 8;
 
-    /// passes: further poses of the drive, of which only pitch, roll and the tracks count, and the first few of each
-    /// square of 10 cm. The robot was there, so
-    /// the ground was not: no pose of `places` or `passes` has ground above the robot's lower boundary.
-    /// Errors: more scenes than kMaxSamples allow, or more than kMaxPerPlace over one place: each of its points
+    /// passes: further poses of the drive. Only their pitch, roll and tracks count, and only the first few in each
+    /// square of 10 cm. No pose of `places` or `passes` has ground above the robot's lower boundary.
+    /// Errors: more scenes than kMaxSamples allow, or more than kMaxPerPlace over one place. Each point of that place
     /// falls under all of them.
     static Result<SceneGrid> over(const RobotModel& robot, std::vector<ScenePlace> places,
                                   const std::vector<ScenePlace>& passes = {});
 
-    /// Returns the grid of a single place from its cells. It is as in the grid that they come from, before moveAlong().
+    /// Returns the grid of a single place from its cells. It equals the grid that they come from, before moveAlong().
     /// Errors: cells that this robot cannot have, or heights that a grid does not keep.
     static Result<SceneGrid> restored(const RobotModel& robot, ScenePlace place,
                                       const PlaceCells& cells);

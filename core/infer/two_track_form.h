@@ -16,8 +16,8 @@ namespace terratact {
 /// Arm readings of both sides: left, right.
 using SideArms = std::array<std::span<const ArmReading>, 2>;
 
-/// Models of both sides: left, right. They are one and the same if both sides have all sensors, or
-/// lack the same ones. Otherwise each lacks its side's absent features (absentFeatures).
+/// Models of both sides: left, right. They are one model if both sides have all sensors, or lack the
+/// same sensors. Otherwise each model lacks its side's absent features (absentFeatures).
 struct SideModels {
     const ClearanceModel& left;
     const ClearanceModel& right;
@@ -36,7 +36,7 @@ MeasuredBins measuredOnSide(Side side, const TwoTrackReadings& s, std::span<cons
 GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReadings& s,
                                  const ClearanceModel::SideBins& covered, Method method);
 
-/// What a closed form predicts of both sides of a scene, before any contact or probe.
+/// Prediction of a closed form for both sides of a scene, before any contact or probe.
 struct SidesPrediction {
     GaussianMixture distribution;  ///< of the surface coordinates, left above right
     std::array<std::optional<ContactError>, 2> contact;  ///< as in SurfacePrediction

@@ -6,10 +6,10 @@
 
 namespace terratact {
 
-/// Throws if the journal beside a session was written for another one: SQLite would replace parts of
-/// the main file by it. Through its own journal, a session has the start and the last batch of its
-/// main file. session: opened with the journal, now or before a live session grew. Does nothing if the
-/// main file has no start yet. Disturbs no writer.
+/// Throws if the journal beside a session belongs to another session: SQLite would replace parts of
+/// the main file with it. A session that is read with its own journal has the start and the last
+/// batch of its main file. session: opened with the journal, now or before a live session grew. Does
+/// nothing if the main file has no start yet. Disturbs no writer.
 void requireOwnJournal(const std::string& path, SqliteFile& session);
 
 /// Returns true if requireOwnJournal() finds another session's journal.

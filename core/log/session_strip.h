@@ -13,21 +13,21 @@ namespace terratact {
 
 /// The strip of felt ground (core/strip/strip.h) of a session, computed from the file alone. It uses telemetry, scenes,
 /// and the estimates that the console showed. Estimates of a second method are left out. An estimate that the operator
-/// cleared is taken out. Remembered ground that was cleared, or another model, begins a new section. So does a
-/// suspected odometry or pitch, by a sensor watch of its own.
+/// cleared is taken out. A new section begins when remembered ground is cleared, when another model is loaded, and when
+/// this object's sensor watch suspects the odometry or the pitch.
 class SessionStrip {
 public:
-    /// from: what came up to this time is left out. The reader must outlive this object.
+    /// from: all rows up to this time are left out. The reader must outlive this object.
     SessionStrip(SessionReader& reader, const RobotModel& robot, SessionTime from = -1);
 
     /// Follows the session up to a time, forward only.
     void goTo(SessionTime until);
-    SessionTime time() const { return at_; }  ///< up to which it was followed
+    SessionTime time() const { return at_; }  ///< time of the last goTo()
     /// Returns the strip. StripSource::time is that of the scene since the session's begin [s].
     const Strip& strip() const { return strip_; }
 
 private:
-    /// A row that changes the strip. Of one time, kinds are applied in this order.
+    /// A row that changes the strip. Rows of equal time are applied in the order of their kinds.
     struct Act {
         enum class Kind : std::uint8_t { Gap, Model, Scene, Estimate, Clear, Abort, Left, Restore };
         SessionTime time = 0;
@@ -46,7 +46,7 @@ private:
     SensorWatch sensors_;
     SessionTime at_;
     std::int64_t entered_ = 0;  ///< id of the estimate that was entered last
-    bool stands_ = false;       ///< the robot has not left it, and it was not cleared
+    bool stands_ = false;       ///< the robot has not left its place, and it was not cleared
 };
 
 }  // namespace terratact

@@ -41,8 +41,8 @@ struct FieldSource {
     std::string unless{};  ///< path: a message that has this field does not measure the quantity
     double factor = 1.0, offset = 0.0;
     double delay = 0.0;       ///< [s] by which the message is later than the measurement
-    bool isOptional = false;  ///< nothing is said if the file lacks it
-    bool isTorque = false;    ///< the field is a torque [N m] of one motor, wanted is its current
+    bool isOptional = false;  ///< no error and no remark if the file lacks it
+    bool isTorque = false;    ///< a torque [N m] of one motor, of which the quantity is the current
     std::string table{};      ///< name of its table in the mapping file
     std::uint32_t line = 0;   ///< of that table
 };
@@ -99,7 +99,7 @@ struct Mapping {
 /// and what was expected.
 Result<Mapping> readMapping(const std::string& path);
 
-/// Reads the same from a text; errors call it `name`.
+/// Reads a mapping from a text; errors call it `name`.
 Result<Mapping> mappingFrom(const std::string& name, const std::string& text);
 
 }  // namespace terratact

@@ -84,10 +84,9 @@ private:
     RobotStance stance_;
     Options options_;
     std::mt19937_64 rng_;
-    /// separate, so that sensor noise does not depend on the number of drives
-    std::mt19937_64 slipRng_;
-    std::mt19937_64 rollRng_;  ///< separate for the same reason
-    std::mt19937_64 sideRng_;  ///< separate, so that no mean depends on its sides
+    std::mt19937_64 slipRng_;  ///< separate: the number of drives must not change the sensor noise
+    std::mt19937_64 rollRng_;  ///< separate: the roll must not change the sensor noise
+    std::mt19937_64 sideRng_;  ///< separate: differences of the sides must not change their mean
     double time_ = 0.0;
     double x_ = 0.0;
     double speed_ = 0.0;

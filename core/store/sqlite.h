@@ -68,7 +68,7 @@ public:
     /// Reopens such a file after its writer died; its journal is replayed.
     static SqliteFile reopenLog(const std::string& path);
 
-    /// Moves the journal into the file, as far as no reader needs the older state.
+    /// Moves the part of the journal into the file that no reader needs in its older state.
     void checkpoint();
 
     /// Returns the structural fault of the file: pages that two rows share, lost pages, broken
@@ -79,13 +79,13 @@ public:
     /// another process has the file open.
     bool leaveJournal();
 
-    /// Allows the statements of a file of openUntrusted() as many steps again from now on.
+    /// Restarts the count of steps that limits the statements of a file of openUntrusted().
     void grantSteps();
 
     /// Limits all statements of a log from now on to `times` passes over file and journal. A pass
     /// returns as many bytes as they have, and takes a step for each of these bytes. 10 million
-    /// steps are allowed besides. A SqliteError reports more: rows that share pages could return and
-    /// visit far more than the file holds. SQLite counts all rows of a table, `SELECT count(*) FROM
+    /// further steps are allowed. Beyond that a SqliteError is thrown, because rows that share pages
+    /// could return and visit far more than the file holds. SQLite counts all rows of a table, `SELECT count(*) FROM
     /// table`, in a single step, which no limit ends: step through the rows instead.
     void grantPasses(int times);
 

@@ -29,11 +29,11 @@ struct StripLimits {
 struct StripSource {
     std::int64_t number = 0;    ///< counts from 1
     std::int64_t estimate = 0;  ///< the caller's id
-    double time = 0.0;          ///< of its scene [s], on the source's clock
+    double time = 0.0;          ///< time of the scene [s], on the source's clock
     bool onePlane = false;
     std::int64_t segment = 0;
-    WayPose at{};  ///< pose of its scene
-    /// feltHorizon() of the side where it is nearer, forward from the IMU at the scene [m]; empty: a side has none.
+    WayPose at{};  ///< pose of the scene
+    /// The nearer feltHorizon() of the two sides, forward from the IMU at the scene [m]; empty: a side has none.
     std::optional<double> feltTo{};
 };
 
@@ -42,16 +42,16 @@ struct SeenBin {
     double x = 0.0;   ///< [m] its centre, forward from the IMU
     HeightBand band;  ///< [m] DEM frame of the robot, with the uncertainty of the way since
     FeltBy felt = FeltBy::Unrecorded;
-    double time = 0.0;  ///< of its scene [s]
-    double way = 0.0;   ///< rolled since its scene [m]
+    double time = 0.0;  ///< time of the scene [s]
+    double way = 0.0;   ///< way rolled since the scene [m]
     bool operator==(const SeenBin&) const = default;
 };
 
 /// The present section as seen from the robot, rear to front.
 struct SeenStrip {
     std::array<std::vector<SeenBin>, 2> side{};  ///< left, right
-    bool onePlane = true;                        ///< every estimate of it was of one plane
-    std::optional<double> way{};                 ///< rolled since the newest estimate [m]
+    bool onePlane = true;                        ///< every estimate of the section was of one plane
+    std::optional<double> way{};                 ///< way rolled since the newest estimate [m]
     /// The newest estimate felt the ground up to here, forward from the IMU [m], on both sides (feltHorizon()).
     std::optional<double> feltTo{};
     bool isEmpty() const { return side[0].empty() && side[1].empty(); }
@@ -70,12 +70,12 @@ struct EarlierBin {
 /// other sections is unknown.
 struct EarlierSection {
     std::array<std::vector<EarlierBin>, 2> side{};  ///< left, right
-    bool onePlane = true;                           ///< every estimate of it was of one plane
-    SectionStart next = SectionStart::Turned;       ///< why the ground after it is not joined to it
+    bool onePlane = true;                      ///< every estimate of the section was of one plane
+    SectionStart next = SectionStart::Turned;  ///< break that ended the section
     bool operator==(const EarlierSection&) const = default;
 };
 
-/// A touch of ground that the strip tells of.
+/// A touch of ground for which the strip predicted a height.
 struct StripTouch {
     ScoredBy by = ScoredBy::Contact;
     std::size_t side = 0;             ///< 0: left, or both of one plane; 1: right
@@ -86,12 +86,11 @@ struct StripTouch {
 
 /// Ground felt along the driven path: bins of 0.1 m in an odometry frame, left and right. Every finished estimate is
 /// entered at the pose of its scene. The ground that it shares with the strip first corrects the odometry since the
-/// scene before (strip_match.h). Where it tells of a bin that an earlier estimate told of, `fusion` decides. The errors
-/// of successive estimates are one error, so their agreement is no further evidence. If the two
-/// contradict each other by more than kContradiction sd, the newer one stands. A bin keeps the
-/// moment at which it was felt. Seen from the robot, its sd grows with the way since then. A break
-/// begins a new section: nothing is joined over it. Ground that is touched again scores what was
-/// said of it (ledger()).
+/// scene before (strip_match.h). `fusion` makes one band of two estimates of a bin. Errors of successive estimates
+/// are correlated, so their agreement adds no evidence. If the two contradict each other by more than
+/// kContradiction sd, the newer one is kept. A bin keeps the moment at which it was felt. Seen from the robot, its sd
+/// grows with the way since then. A break begins a new section: ground is not joined across it. A new touch of known
+/// ground scores the strip's prediction (ledger()).
 class Strip {
 public:
     static constexpr double kContradiction = 3.0;
@@ -108,9 +107,9 @@ public:
 
     /// Marks the pose of a scene that will be estimated. It may be one of the last lines, while the robot stands.
     void beginScene(const Measurement& scene);
-    /// Enters an estimate at the pose of the last scene. An estimate of the same scene that was entered before is
-    /// replaced. Nothing is entered of a scene without a place. arm: all readings of the scene so far. What was said
-    /// before of the ground that is touched now is scored first (ledger()).
+    /// Enters an estimate at the pose of the last scene. It replaces an earlier estimate of that scene. A scene without
+    /// a place enters nothing. arm: all readings of the scene until now. Earlier predictions of the touched ground are
+    /// scored first (ledger()).
     void enter(const TwoTrackEstimate& estimate, std::int64_t id,
                std::span<const ArmReading> arm = {});
     /// Takes out the estimate of the last scene, and what its contacts and passes scored.
@@ -136,9 +135,9 @@ public:
                         const WayPose& pose) const;
     /// Returns why nothing is seen: the last break, until an estimate is entered. Empty: something is seen.
     std::optional<SectionStart> whyNothing() const;
-    /// Returns the touches of the last scene on ground that the strip tells of, before its estimate
-    /// is entered. What was said is seen from the scene's pose by odometry alone. Neither that pose
-    /// nor the band uses the scene.
+    /// Returns the touches of the last scene for which the strip predicts a height, before the
+    /// scene's estimate is entered. Predictions are seen from the scene's pose by odometry alone.
+    /// Neither that pose nor the band uses the scene.
     ///   Contact  height from the scene's readings alone (scene_contacts.h), with Settings::contactSd
     ///   Pass     bins on which the tracks stand, with the estimate's height and sd. An estimate by Trail also knows
     ///            earlier readings, so it is a less independent judge.

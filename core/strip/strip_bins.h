@@ -14,7 +14,7 @@ namespace terratact {
 
 /// Ground of one bin of the strip, on one side.
 struct StripBin {
-    HeightBand band;  ///< [m] in the section's frame, as certain as when it was felt
+    HeightBand band;  ///< [m] in the section's frame, with the sd at the time of touch
     /// Slopes of the estimate's ground before and behind the bin, for the effect of slip.
     std::array<double, 2> slopes{};
     FeltBy felt = FeltBy::Unrecorded;
@@ -23,7 +23,7 @@ struct StripBin {
     bool operator==(const StripBin&) const = default;
 };
 
-/// A column that an estimate tells of.
+/// A column of the strip that an estimate covers.
 struct EnteredBin {
     int column = 0;  ///< its centre is at column · kBinWidth
     StripBin bin;

@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Touch that scores what the strip said of a bin before.
+/// Touch that scores an earlier prediction of the strip.
 enum class ScoredBy : std::uint8_t {
     Contact,  ///< the front flippers pressed on the bin at a later scene
     Probe,    ///< the arm measured it
@@ -20,10 +20,10 @@ inline constexpr std::array kScoredBy{ScoredBy::Contact, ScoredBy::Probe, Scored
 /// Returns "contact", "probe" or "pass".
 std::string_view name(ScoredBy by);
 
-/// Heights said before, against heights felt later.
+/// Predicted heights against heights that were felt later.
 struct StripScore {
     std::size_t n = 0;        ///< touches
-    std::size_t in80 = 0;     ///< of these within the 80 % band of what would be felt
+    std::size_t in80 = 0;     ///< touches within the 80 % band of the predicted reading
     double sumZ = 0.0;        ///< Σ z,  z = (felt − predicted) / √(sd² + touchSd²)
     double sumSquares = 0.0;  ///< Σ z²
 
@@ -33,9 +33,9 @@ struct StripScore {
     bool operator==(const StripScore&) const = default;
 };
 
-/// Counts how well the strip's bands held when their ground was touched again, for each kind of touch. A height that
-/// is felt has an error of its own, so the band is widened by it (widened()). Touches of one scene share the error of
-/// its pose, and count as fewer independent ones.
+/// Counts how well the strip's bands held when their ground was touched again, for each kind of touch. The error of the
+/// felt height widens the band (widened()). Touches of one scene share the error of its pose, so they are not
+/// independent.
 class StripLedger {
 public:
     /// Returns true if a touch can score a band: the height is finite, and so is √(sd² + feltSd²), above 0.

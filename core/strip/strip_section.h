@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-/// Reason why a section of the strip begins: what came before is not joined to it.
+/// Reason why a section of the strip begins, separate from the ground before.
 enum class SectionStart : std::uint8_t {
     First,         ///< nothing was felt before
     Turned,        ///< the robot turned too tightly
@@ -32,7 +32,7 @@ std::string_view name(SectionStart start);
 /// Returns a sentence such as "the robot has turned".
 SourceText describe(SectionStart start);
 
-/// Left and right of one column; empty: no estimate told of it.
+/// Left and right bin of one column; empty: no estimate covers it.
 using StripColumn = std::array<std::optional<StripBin>, 2>;
 
 /// A pose along the way, in the frame of its segment.
@@ -40,8 +40,8 @@ struct WayPose {
     Vec2 imu{};                       ///< [m] x along the way, z up
     double planX = 0.0, planY = 0.0;  ///< [m] the IMU from above
     double heading = 0.0;             ///< [rad] left positive, not wrapped
-    double way = 0.0;                 ///< [m] rolled since the begin of the segment
-    PoseCovariance drift{};           ///< of the way since the begin of the segment
+    double way = 0.0;                 ///< [m] way rolled since the begin of the segment
+    PoseCovariance drift{};           ///< error since the begin of the segment
     bool operator==(const WayPose&) const = default;
 };
 
@@ -50,7 +50,7 @@ struct WayPose {
 struct StripSection {
     SectionStart why = SectionStart::First;
     std::int64_t segment = 0;  ///< number of the stretch without a break
-    WayPose start{};           ///< of its first scene
+    WayPose start{};           ///< pose of its first scene
     std::map<int, StripColumn> columns{};
 
     /// Returns the IMU at a pose, in the section's frame [m].

@@ -28,9 +28,10 @@ Eigen::VectorXd planeInputs(const Proprioception& s, const TrailHistory& history
                             const Heights& ceiling);
 inline constexpr Eigen::Index kPlaneInputs = 60;
 
-/// Returns the inputs of the networks of one side. They are the same with the side's features
-/// (core/learn/data/side_features.h) for s, and its own plane of the history. After the pitch comes
-/// the roll along the way, own side up positive (10). A mirrored scene has mirrored inputs.
+/// Returns the inputs of the networks of one side. They are those of planeInputs(), with the side's
+/// features (core/learn/data/side_features.h) as s, and the side's own plane of the history. After
+/// the pitch, 10 inputs give the roll along the way, own side up positive. A mirrored scene has
+/// mirrored inputs.
 Eigen::VectorXd sideInputs(const TwoTrackReadings& s, Side own, const TrailHistory& history,
                            const Heights& ceiling);
 inline constexpr Eigen::Index kSideInputs = 81;

@@ -32,23 +32,23 @@ inline constexpr double kTrailSpread = 0.02;
 /// Returns the weight of a height with the sd s [m] in the loss and the scales: kTrailSpread² / (kTrailSpread² + s²).
 double trailWeight(double s);
 
-/// Share of the scenes for training that know only a part of their way. From them the networks
-/// learn what a cut memory tells.
+/// Share of the training scenes that know only a part of their way. They train the networks for a
+/// shortened memory.
 inline constexpr double kCutShare = 0.25;
 
-/// Every how many drives one is kept for the errors.
+/// One drive of so many is not trained on and gives the errors.
 inline constexpr int kErrorDrives = 10;
 
-/// Returns the rows of drives. number: of the first drive. sides: of both sides. A scene of kCutShare
-/// knows a uniform part of the way, unless its drive is kept for the errors. The same drives and seed
-/// give the same rows. poll: called for each drive.
+/// Returns the rows of drives. number: of the first drive. sides: of both sides. A share kCutShare of
+/// the scenes knows a uniform random part of the way, except in drives that give the errors. Equal
+/// drives and seeds give equal rows. poll: called for each drive.
 TrailRows trailRows(std::span<const DriveLines> drives, int number, const RobotModel& robot,
                     bool sides, std::uint64_t seed, const Poll& poll = {});
 
-/// Returns all rows in this order.
+/// Returns the rows of all parts, in the order of the parts.
 TrailRows joined(std::span<const TrailRows> parts);
 
-/// Effort of a training.
+/// Size of a training.
 struct TrailOptions {
     int networks = 5;  ///< of different seeds
     NetworkOptions network{};

@@ -18,8 +18,8 @@ namespace terratact {
 /// Prints the content of each session, and whether its hash chain holds.
 Status showSessions(const std::vector<std::string>& files);
 
-/// Prints a line for each recording of a folder: when, how long, verdicts, probes, alarms, notes, size. Empty: the
-/// folder of this user's sessions. A file that is no session gets a line with its reason.
+/// Prints a line for each recording of a folder: start, duration, verdicts, probes, alarms, notes and size. Empty: the
+/// folder of this user's sessions. A file that is not a session gets a line with the reason.
 Status listSessions(const std::string& folder);
 
 struct VerifyOptions {
@@ -42,13 +42,13 @@ struct SessionScenesOptions {
     std::string out;        ///< CSV of scenes
     bool measured = false;  ///< heights of contacts and arm if the truth is unknown
     bool tracks = false;    ///< readings and heights of both sides
-    bool drives = false;    ///< the way between the scenes, too: a file of drives
+    bool drives = false;    ///< also the way between the scenes: a file of drives
 };
 Status exportScenes(const SessionScenesOptions& options);
 
 struct SessionStripOptions {
     std::string file;
-    std::string out;               ///< its ending decides (app/figures/report/strip_file.h)
+    std::string out;  ///< its ending selects the format (app/figures/report/strip_file.h)
     std::optional<int> section{};  ///< the only one, from 1; empty: all
 };
 /// Writes the strip of felt ground of a session as a profile, a point cloud or a picture
@@ -103,8 +103,8 @@ struct ImportOptions {
     std::string scenes;   ///< CSV of scenes to write; empty: none
     bool probe = false, check = false;
 };
-/// Reads a recording of another program: prints what is in it (probe), or what is doubtful (check), or
-/// writes a session and its scenes. With check, returns an Error if something is doubtful.
+/// Reads a recording of another program. It prints the contents (probe) or the doubtful values (check), or
+/// writes a session and its scenes. With check, returns an Error if a value is doubtful.
 Status importOrProbe(const ImportOptions& options);
 
 }  // namespace terratact

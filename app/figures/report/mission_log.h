@@ -11,20 +11,20 @@
 
 namespace terratact {
 
-/// Rows of a table beyond which a report counts what it leaves out.
+/// Largest number of rows of a table. A report only counts the other rows.
 inline constexpr std::size_t kMaxReportRows = 20'000;
 
-/// Returns what was decided, and on which numbers, in the order of time. These are verdicts, proposals, the operator's
-/// actions with what was on the screen, phases, arming, link states and notes. Words of the event list and alarms are
-/// left out. An estimate has its error where the truth was recorded. Errors name the session's file: the draws of an
-/// estimate cannot be read. progress(share) cancels by returning false, which is an Error.
+/// Returns the decisions and their numbers in the order of time: verdicts, proposals, phases, arming, link states and
+/// notes. An action of the operator has the text that was on the screen. Alarms and entries of the event list are left
+/// out. An estimate has its error if the truth was recorded. Errors name the session's file: the draws of an estimate
+/// cannot be read. progress(share) cancels by returning false, which is an Error.
 /// wording: makes the texts. Beyond maxRows a last row has the number of rows that are left out.
 Result<DocumentPart> missionDecisions(SessionReader& session, const RobotModel& robot,
                                       const std::function<bool(double)>& progress = {},
                                       std::size_t maxRows = kMaxReportRows,
                                       const Wording& wording = inEnglish);
 
-/// Returns each alarm with the times at which it was raised and acknowledged, and at which its cause was gone.
+/// Returns each alarm with three times: when it was raised, when it was acknowledged, and when its cause ended.
 DocumentPart missionAlarms(const SessionReader& session, const Wording& wording = inEnglish);
 
 /// Returns the settings of the estimates, a row from each change on.

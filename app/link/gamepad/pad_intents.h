@@ -18,14 +18,14 @@ struct PadIntents {
     bool operator==(const PadIntents&) const = default;
 };
 
-/// Follows a gamepad and decides what the operator wants. It has no clock and moves nothing.
-/// A control that is on when it begins to count means nothing until it was released once. It begins to count with a
-/// connection, when the gamepad may act again, with another mapping, and after release(). A lost gamepad wants nothing.
-/// A drive needs the dead-man control first, then the stick from its centre: a drifting stick moves nothing.
-/// STOP counts whether or not the gamepad may act.
+/// Derives the operator's intents from a gamepad. It has no clock and moves nothing.
+/// A control that is on at one of these moments is ignored until it is released: the gamepad is connected, it may act
+/// again, the mapping changes, or release() is called. A lost gamepad has no intents. A drive needs the dead-man
+/// control first, then the stick from its centre, so a drifting stick moves nothing. STOP counts whether or not the
+/// gamepad may act.
 class PadFollower {
 public:
-    /// mayAct: the operator is at the console's window, so that more than STOP counts.
+    /// mayAct: the operator is at the console's window. Otherwise only STOP counts.
     PadIntents poll(const GamepadState& state, const PadSettings& settings, bool mayAct);
 
     /// Return the state of an action's control at the last poll: it is on; it is on and counts.
@@ -42,7 +42,7 @@ public:
     void release();
 
 private:
-    /// A control that is on counts once it was seen off.
+    /// A control counts only after it was seen off.
     struct Control {
         bool on = false, counts = false;
     };

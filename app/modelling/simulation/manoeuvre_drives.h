@@ -14,9 +14,9 @@
 
 namespace terratact {
 
-/// What a scripted drive near a hazard does beside driving straight on. Each has a stop every 0.1 m.
+/// Manoeuvres of a scripted drive near a hazard, besides driving straight on. Each has a stop every 0.1 m.
 enum class Manoeuvre : std::uint8_t {
-    Curve,    ///< bends, just gentle enough that the memory of the way goes on
+    Curve,    ///< bends that are too gentle to break the memory of the way
     Turn,     ///< turns on the spot by 0.02 … 0.5 rad, there and often back
     Reverse,  ///< drives back by 0.1 … 0.5 m, and forward again over the same ground
     Probe,    ///< the arm measures bins ahead on both sides at every second stop
@@ -36,9 +36,8 @@ struct ManoeuvreLine {
 
 /// Drives the simulated robot with two tracks from before the hazard. It ends when the robot has
 /// passed, or has no rest pose any more. The hazard lies across the way, or beside it beyond an
-/// edge. A turned robot reaches that one with a flipper; a straight one does not. The ground is
-/// known everywhere: at each pose, the lines under tracks and flippers are cut from it along the
-/// heading.
+/// edge. Only a turned robot reaches a hazard beside the way with a flipper. The ground is known
+/// everywhere: at each pose, the lines under tracks and flippers are cut from it along the heading.
 ///   travelled   as driveWay(), with a slip of 10 %; it decreases while the robot reverses
 ///   turned      with 2 % and 0.002 rad of error per turn
 ///   arm         height at the bin's centre with a noise of 0.01 m; its sd is ArmReading's

@@ -25,7 +25,7 @@ Settings localSettings(const TrainingPlan& plan)
     return settings;
 }
 
-/// Returns a watch that is cancelled with another, and tells nothing.
+/// Returns a watch with the cancellation of another, but without progress reports.
 TrainingWatch silent(const TrainingWatch& watch)
 {
     TrainingWatch quiet;

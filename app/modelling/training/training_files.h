@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-/// Scenes of one or several files, which may have other columns each.
+/// Scenes of one or several files, whose columns may differ.
 template <class SceneType>
 struct TrainingScenes {
     std::vector<SceneType> scenes{};

@@ -13,7 +13,7 @@
 
 namespace terratact {
 
-/// Way after which a scene has a whole memory [m]: all that a robot's length has felt.
+/// Way after which the memory of a scene is complete [m]: the robot has rolled over its own length.
 inline constexpr double kWholeMemory = 0.85;
 
 /// Scores of one method over the scenes of drives. Errors of both sides count on two tracks.
@@ -27,17 +27,17 @@ struct DriveScores {
 
 struct DriveFindings {
     std::size_t drives = 0;
-    std::size_t scenes = 0;          ///< with whole memory
+    std::size_t scenes = 0;          ///< scenes after at least kWholeMemory of way
     std::size_t early = 0;           ///< scenes after less than kWholeMemory of way
     std::size_t failed = 0;          ///< estimates that a method could not make
     std::size_t trainingDrives = 0;  ///< of the networks, as far as their file has marks of drives
     std::size_t trainingScenes = 0;  ///< of the model
-    std::vector<DriveScores> whole, begin;  ///< by method, of both kinds of scenes
+    std::vector<DriveScores> whole, begin;  ///< scores by method: of `scenes`, and of `early`
 };
 
-/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method. Trail
-/// alone has the memory of its drive. Compares the estimates with the truth. On all processors. notice:
-/// receives sentences about the file. Errors name the file and the line.
+/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method, and compares the estimates
+/// with the truth. Only Trail uses the memory of its drive. Runs on all processors. notice: receives sentences about
+/// the file. Errors name the file and the line.
 Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBundle& bundle,
                                      const std::vector<Method>& methods, const Settings& settings,
                                      const std::function<void(const Message&)>& notice);

@@ -21,10 +21,10 @@ struct FeelForwardTrial {
     Settings settings;        ///< of the estimates
     /// [s] duration of an estimate in the time model, with its advice and the console's ticks.
     double estimateSeconds = 0.2;
-    bool isBlind = false;  ///< advances whatever the verdict is: shows what the verdict prevents
+    bool isBlind = false;  ///< advances with any verdict, as a comparison
 };
 
-/// What one drive is like. The drives go through all grounds, hazards and kinds of ground in turn.
+/// Conditions of one drive. Successive drives cycle through all grounds, hazards and kinds of ground.
 struct FeelForwardDrive {
     std::size_t ground = 0;  ///< index into kHazardGrounds
     std::optional<Hazard> hazard{};
@@ -38,7 +38,7 @@ struct FeelForwardCounts {
     std::size_t drives = 0;
     std::size_t presses = 0;   ///< in the loop
     std::size_t advances = 0;  ///< of the loop
-    double advanced = 0.0;     ///< [m] true way of the loop's advances
+    double advanced = 0.0;     ///< [m] true way of all advances
     double byHand = 0.0;       ///< [m] true way between two loops
     double seconds = 0.0;      ///< [s] time of the loops
     std::map<LoopEnd, std::size_t> ends{};
@@ -55,10 +55,9 @@ struct FeelForwardCounts {
 };
 
 /// Drives once. The loop runs on the state machine of the console (core/atem/atem_machine.h), in steps of 0.04 s. The
-/// simulated robot obeys Press and Advance. Where the loop asks, the operator lets go. The ground's truth then decides:
-/// the robot is driven on by 0.1 m by hand if the way is free, and the operator holds again. No probe is made. The
-/// drive ends before a true step, at the end of the ground, with a fault, a fall or a collision. seed: of ground, noise
-/// and slip.
+/// simulated robot obeys Press and Advance. Where the loop asks, the operator lets go. If the true ground ahead is
+/// free, the robot is driven on by hand for 0.1 m, and the operator holds again. No probe is made. The drive ends before
+/// a true step, at the end of the ground, or with a fault, a fall or a collision. seed: of ground, noise and slip.
 FeelForwardCounts feelForwardOnce(const EstimatorBundle& bundle, const FeelForwardTrial& trial,
                                   const FeelForwardDrive& drive, std::uint64_t seed);
 

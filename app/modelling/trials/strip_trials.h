@@ -49,8 +49,7 @@ struct StripErrors {
 
 /// Result of one way to place estimates.
 struct StripResult {
-    std::string_view
-        name;  ///< "this scene alone", or the rule for a bin that several estimates tell of
+    std::string_view name;  ///< "this scene alone", or the rule for a bin with several estimates
     std::array<StripErrors, kStripStretches.size()> stretch{};
 };
 
@@ -59,7 +58,7 @@ struct StripFindings {
     double way = 0.0;  ///< mean distance of the drives [m]
     std::vector<StripResult> results;
     StripLedger ledger{};  ///< of the shipped strip (Strip::ledger())
-    /// Of its bins, by ScoredBy: those whose true height is within the band.
+    /// Bins of the ledger whose true height is within the band, by ScoredBy.
     std::array<std::size_t, kScoredBy.size()> inTruth{};
 };
 

@@ -91,9 +91,8 @@ private:
     QComboBox* format_ = nullptr;
     QRadioButton* visible_ = nullptr;
     QRadioButton* everything_ = nullptr;
-    QCheckBox* payload_ =
-        nullptr;                 ///< includes signals of DBC files; unticked where there are none
-    bool payloadWanted_ = true;  ///< the operator's choice where there are some
+    QCheckBox* payload_ = nullptr;  ///< includes signals of DBC files; unticked if there are none
+    bool payloadWanted_ = true;     ///< the operator's choice for payload_
     QLabel* moment_ = nullptr;
     QLineEdit* path_ = nullptr;
     QPushButton* browse_ = nullptr;

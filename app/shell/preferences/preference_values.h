@@ -20,8 +20,8 @@ struct PreferenceValue {
 /// Returns every preference in the order of the file.
 std::vector<PreferenceValue> valuesOf(const Preferences& preferences);
 
-/// Sets the preference of this key. Returns what was expected if the key or the text is not valid, and changes nothing
-/// then; empty: it was set.
+/// Sets the preference of this key; returns empty if it was set. If the key or the text is not valid, changes nothing
+/// and returns what was expected.
 std::optional<Message> setValue(Preferences& preferences, const QString& key, const QString& text);
 
 }  // namespace terratact

@@ -14,23 +14,23 @@ namespace terratact {
 std::span<const ProbeSide> sidesToProbe(const TwoTrackEstimate& estimate);
 
 /// Proposes a probe as in section 4.4 of the paper. It returns the sampled bin in the arm's reach
-/// with the largest sd. That sd must exceed the probe threshold settings.probeAbove; otherwise it
-/// returns empty.
-/// The paper asks for a probe if any sd is too large. Here a large sd beyond the arm's reach asks
-/// for nothing, because the arm cannot reduce it. A robot whose arm measures no height (armSd 0)
-/// gets no probe.
+/// with the largest sd. It returns empty unless that sd exceeds the probe threshold
+/// settings.probeAbove.
+/// The paper proposes a probe if any sd is too large. Here a large sd beyond the arm's reach is
+/// ignored, because the arm cannot reduce it. A robot whose arm measures no height (armSd 0) gets no
+/// proposal.
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
 /// Chooses the bin that is offered to the operator; empty if proposeProbe() returns empty. The
 /// paper's methods use its bin. The other methods use the bin whose reading is expected to reduce
-/// the sum of all variances most (probe_gain.h). That rule settles scenes with fewer probes, see
+/// the sum of all variances most (probe_gain.h). That rule needs fewer probes per scene, see
 /// docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
-/// Return the same for an estimate of both sides. The first is the place with the largest sd of both
-/// sides. The second is the place whose reading is expected to reduce the sum of all variances most.
-/// The arm reaches a side's bin if it reaches its line (RobotModel::armReaches). An estimate of one
-/// plane has the choice above, in the middle.
+/// Return a place for an estimate of both sides. proposeProbe() returns the place with the largest sd
+/// of both sides. chooseProbe() returns the place whose reading is expected to reduce the sum of all
+/// variances most. The arm reaches a side's bin if it reaches its line (RobotModel::armReaches). For
+/// an estimate of one plane, both return the bins of the functions above, in the middle.
 std::optional<ProbePlace> proposeProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
 std::optional<ProbePlace> chooseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
 

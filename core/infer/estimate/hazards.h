@@ -29,7 +29,7 @@ struct MeasuredHazard {
     int bin = 0;
     double height = 0.0, sd = 0.0;  ///< [m] the reading
     double offset = 0.0;            ///< [m] from the model's median to the reading
-    double probability = 0.0;       ///< of the hazard, given the reading
+    double probability = 0.0;       ///< P(hazard | reading)
 };
 
 /// Returns P(hazard | reading) by Bayes' rule:

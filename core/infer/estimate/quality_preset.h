@@ -22,7 +22,7 @@ inline constexpr std::array kQualityPresets{QualityPreset::Fast, QualityPreset::
 /// Returns "fast", "balanced" or "accurate".
 std::string_view name(QualityPreset preset);
 
-/// Returns the same for the operator.
+/// Returns the name for the operator.
 SourceText describe(QualityPreset preset);
 std::optional<QualityPreset> qualityPresetFromName(std::string_view text);
 

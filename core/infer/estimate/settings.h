@@ -43,7 +43,7 @@ struct Settings {
     /// Probe threshold [m]: a bin with a larger sd asks for the arm (paper)
     double probeAbove = kProbeThreshold;
     double rollLimit = 0.10;  ///< roll beyond which the 2-D assumption is doubtful [rad]
-    /// left/right flipper difference beyond which it is doubtful [rad]
+    /// Difference of the left and right flipper beyond which the 2-D assumption is doubtful [rad].
     double asymmetryLimit = 0.10;
     /// 0 … 1 per bin (core/infer/estimate/hazards.h); 0: the model's own bands.
     double hazardRate = kHazardRate;

@@ -38,7 +38,7 @@ struct GaussianMixture {
     /// gives each component its share of draws. poll: called now and then.
     void draw(int count, std::mt19937_64& rng,
               const std::function<void(const Eigen::VectorXd&)>& keep, const Poll& poll) const;
-    /// Returns the same draws: n × count.
+    /// Returns these draws as a matrix, n × count.
     Eigen::MatrixXd draw(int count, std::mt19937_64& rng) const;
 };
 

@@ -15,11 +15,11 @@ using BinSet = std::bitset<kBins>;
 
 inline constexpr BinSet kAllBins{(1ULL << kBins) - 1};
 
-/// Returns the bins that a text names: "0-3", "0,4,10", "0-2,9-10". Empty if it names none, one
-/// beyond 0 … 10 or one twice, or is no such list.
+/// Returns the bins that a text lists: "0-3", "0,4,10", "0-2,9-10". Empty if it is not such a list,
+/// lists no bin, lists a bin twice, or lists a bin beyond 0 … 10.
 std::optional<BinSet> binSetFrom(std::string_view text);
 
-/// Returns the shortest such text; "none" for no bin.
+/// Returns the shortest text for binSetFrom(); "none" for no bin.
 std::string text(const BinSet& bins);
 
 /// Returns the bins in order.

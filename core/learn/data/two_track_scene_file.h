@@ -27,10 +27,10 @@ struct TwoTrackSceneFile {
 /// then onBothSides(). Empty fields, limits and errors are those of readScenes().
 Result<TwoTrackSceneFile> readTwoTrackScenes(const std::string& path);
 
-/// Reads the same from an open CSV.
+/// Reads scenes from an open CSV.
 Result<TwoTrackSceneFile> readTwoTrackScenes(CsvReader csv);
 
-/// Returns scenes in the same format. Optional columns that no scene fills are left out. Numbers are
+/// Returns scenes in this format. Optional columns that no scene fills are left out. Numbers are
 /// the shortest that read back equal. Throws std::invalid_argument for what the reader would refuse.
 std::string twoTrackScenesText(const std::vector<TwoTrackScene>& scenes);
 
