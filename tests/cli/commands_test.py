@@ -55,7 +55,7 @@ class Commands(unittest.TestCase):
                           ("reconstruct", "--data", "x", "--out", "y", "--chains", "0")):
             self.assertTrue(complaint(*arguments, code=2))
 
-    def test_an_unknown_word_is_named_before_what_is_missing(self):
+    def test_an_unknown_word_is_named_before_a_missing_one(self):
         self.assertIn(": simulat --terrain boxes", complaint("simulat", "--terrain", "boxes", code=2))
         self.assertIn(": --bogus a b", complaint("simulate", "--out", "x", "--bogus", "a", "b", code=2))
         self.assertIn("lists", complaint("session", "lists", code=2))

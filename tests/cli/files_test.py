@@ -189,7 +189,7 @@ class Overwriting(Scenes):
         run(*train)
         self.assertNotEqual(card.read_bytes(), pathlib.Path(MODEL.replace(".ttm", ".card.toml")).read_bytes())
 
-    def test_no_session_is_left_where_its_scenes_cannot_be_written(self):
+    def test_unwritable_scenes_leave_no_session(self):
         out = self.path / "x.tts"
         said = complaint("import", self.scenes, "--mapping", MODEL, "--out", out, "--scenes", self.path / "none" / "o.csv")
         self.assertIn("o.csv: cannot be written", said, "before anything is read")
@@ -204,7 +204,7 @@ class ClosedStreams(Scenes):
             shell(f"$T can decode {LOG} --csv {csv} {closed}", code=1)
             self.assertNotIn("RobotStatus  ", csv.read_text(), closed)
 
-    def test_without_a_place_for_messages_it_ends_with_its_code(self):
+    def test_the_exit_code_needs_no_place_for_messages(self):
         for command, code in (("contacts --data nofile", 1), ("foo", 2), (f"session info {DEMO}", 1)):
             for closed in (">&- 2>&-", ">/dev/full 2>/dev/full"):
                 shell(f"$T {command} {closed}", code=code)
@@ -267,7 +267,7 @@ class FullDisks(Scenes):
         self.assertIn("disk full", complaint("simulate", "--terrain", "varied", "--count", 1, "--out", "/dev/full"))
 
 
-    def test_files_that_belong_together_are_all_written_or_none(self):
+    def test_files_of_one_command_are_written_all_or_none(self):
         def too_large(most, command):
             shell(f"trap '' XFSZ; ulimit -f {most}; cd {self.path}; $T {command}", code=1)
             return sorted(p.name for p in self.path.rglob("*") if p.is_file())
@@ -281,7 +281,7 @@ class FullDisks(Scenes):
         self.assertEqual(too_large("unlimited", nowhere), ["p.csv", "scenes.csv"])
         self.assertEqual(too_large(30, "evaluate --data scenes.csv --methods local --out ev"), ["p.csv", "scenes.csv"])
 
-    def test_a_full_disk_of_a_session_is_named_with_what_to_do(self):
+    def test_a_full_disk_is_named_with_a_remedy(self):
         if os.geteuid() != 0:
             self.skipTest("only root mounts a small disk")
         if subprocess.run(["unshare", "-m", "true"], capture_output=True, check=False).returncode != 0:

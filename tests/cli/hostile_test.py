@@ -149,7 +149,7 @@ class Modes(Scenes):
         for mask in ("000", "022", "277"):
             self.assertEqual(self.mode(mask, self.path / f"{mask}.tts", "session", "import", log), 0o600, mask)
 
-    def test_what_is_written_from_a_recording_is_private_too(self):
+    def test_files_from_a_recording_are_private_too(self):
         for name, *arguments in (
                 ("e.mcap", "session", "export", DEMO), ("e.log", "session", "export", DEMO),
                 ("e.csv", "session", "export", DEMO, "--what", "events"), ("s.csv", "session", "scenes", DEMO),
@@ -270,7 +270,7 @@ class Texts(Scenes):
                     (name,), ("reconstruct", f"--{name}"), ("evaluate", "--data", scenes, "--methods", name)):
                 self.printed(*arguments)
 
-    def test_texts_inside_files_are_printed_without_escapes(self):
+    def test_texts_of_files_are_printed_without_escapes(self):
         plain = pathlib.Path(SOURCE, "resources/robots/absolem.toml").read_text()
         for escape in ESCAPES:
             quoted = escape.replace(FORGED, "").replace("\r", "")

@@ -82,7 +82,7 @@ class McapOfFoxglove(Folder):
         self.assertRegex(told.splitlines()[-1], r"a\.mcap: ends within the record at byte \d+")
         self.assertFalse((self.path / "a.tts").exists())
 
-    def test_two_files_joined_by_cat_give_a_sentence_about_the_second(self):
+    def test_names_the_second_of_two_files_joined_by_cat(self):
         content = (RECORDINGS / "zstd.mcap").read_bytes()
         recording = self.write(content + content)
         self.assertIn("60 lines of telemetry", run(*self.importing(recording)))

@@ -127,7 +127,7 @@ class Ros2Bags(Folder):
         self.assertIn("50 lines of telemetry in 4.900 s", said)
         self.assertIn("ROS 2 bag (SQLite), 1 topic, 50 messages", run("import", bag, "--probe"))
 
-    def test_topics_that_share_pages_are_not_sorted_forever(self):
+    def test_topics_that_share_pages_are_refused(self):
         base = self.path / "base.db3"
         with sqlite3.connect(base) as file:
             file.executescript("""

@@ -93,7 +93,7 @@ class PublicScan(Folder):
         self.assertLess(high - low, 0.03)
         self.assertLess(abs(middle), 0.2)
 
-    def test_the_scan_itself_is_too_sparse_and_one_sentence_says_so(self):
+    def test_one_sentence_says_that_the_scan_is_too_sparse(self):
         self.write_scenes([(20.0 * middle, plane * [1, 1, 20]) for middle, plane in flattest(self.points, 3)])
         said = complaint(*self.truth_of("scan.ply"))
         self.assertRegex(said, r"no bin has a known height: \d+ points lie on a square metre under the scenes, and \d+ % "

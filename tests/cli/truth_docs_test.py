@@ -52,7 +52,7 @@ class Outputs(Folder):
         self.assertTrue(all(line["left_h_+0.0_m"] == "" for line in lines if line["kind"] == "way"))
         self.assertIn("too few scenes", complaint("train", "--track-drives", truth, "--out", self.path / "n.ttn"))
 
-    def test_nothing_is_written_or_overwritten_where_it_fails(self):
+    def test_a_failure_writes_and_overwrites_nothing(self):
         scenes, cloud, poses, truth = self.files
         cloud.write_bytes(cloud.read_bytes()[:5000])
         self.assertIn("it is cut", complaint("truth", cloud, "--scenes", scenes, "--poses", poses, "--out", truth, "--sheet",

@@ -46,7 +46,7 @@ class Build(unittest.TestCase):
         path = self.project / "build" / name / file
         return path.stat().st_mtime_ns if path.exists() else None
 
-    def test_a_build_for_a_few_targets_gets_its_tests_later_and_keeps_the_rest(self):
+    def test_a_build_of_few_targets_gets_its_tests_later(self):
         self.build("usual", "few")
         part = self.made("usual", "CMakeFiles/part")
         self.assertIsNotNone(part)

@@ -111,12 +111,12 @@ class Archives(SetUp):
             self.assertEqual(tried, self.entries("debian", "http://m.test/debian", suites, "main"))
             self.assertRegex(words, rf"no suite of the mirror \({' '.join(suites)}\) gave a signed source of libgpiod 2")
 
-    def test_ubuntu_and_what_descends_from_it_have_their_own(self):
+    def test_ubuntu_and_its_descendants_have_their_own(self):
         for release in NOBLE, MINT:
             tried, _ = self.run_it(release, "noble http://m.test/ubuntu\n")
             self.assertEqual(tried, self.entries("ubuntu", "http://m.test/ubuntu", ["noble", "devel"], "main universe"))
 
-    def test_ubuntus_mirrors_of_other_architectures_hold_no_sources(self):
+    def test_ubuntus_ports_mirrors_hold_no_sources(self):
         tried, _ = self.run_it(NOBLE, "noble http://ports.m.test/ubuntu-ports\n")
         self.assertEqual(tried[0].split()[2], "http://archive.m.test/ubuntu")
 
@@ -210,7 +210,7 @@ class Sources(SetUp):
         self.release("trixie", "7.0.0")
         self.assert_refused()
 
-    def test_the_next_suite_is_taken_where_a_source_is_gone(self):
+    def test_takes_the_next_suite_where_a_source_is_gone(self):
         self.release("trixie", "6.2.0").unlink()
         self.release("forky", "6.4.1")
         self.assertEqual(self.built(), ("6.4.1", ""))

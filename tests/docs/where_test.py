@@ -34,7 +34,7 @@ class WhereThingsAre(unittest.TestCase):
         missing = [(row, str(path)) for row in rows for path in files_of(row) if not path.is_file()]
         self.assertEqual(missing, [])
 
-    def test_every_name_of_the_table_is_in_a_file_of_its_row(self):
+    def test_names_of_the_table_are_in_files_of_their_rows(self):
         lost = []
         for row in table_rows():
             texts = [path.read_text() for path in files_of(row) if path.is_file()]
