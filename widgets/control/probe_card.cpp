@@ -12,7 +12,6 @@
 #include "app/display/format.h"
 #include "app/display/place_text.h"
 #include "app/display/translated.h"
-#include "widgets/base/covered.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -20,6 +19,7 @@
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
+#include "widgets/control/covered.h"
 
 namespace terratact {
 namespace {

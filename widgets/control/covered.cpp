@@ -1,4 +1,4 @@
-#include "widgets/base/covered.h"
+#include "widgets/control/covered.h"
 
 #include <QApplication>
 #include <QWidget>
