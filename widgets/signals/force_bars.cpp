@@ -6,14 +6,11 @@
 #include <qwt_scale_widget.h>
 #include <qwt_text.h>
 
-#include <QEvent>
 #include <QFontMetricsF>
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/palette.h"
-#include "widgets/base/plain_plot.h"
 #include "widgets/base/tips.h"
 #include "widgets/signals/force_chart.h"
 
@@ -30,10 +27,9 @@ void keepWithin(std::optional<double>& value, double limit)
 
 }  // namespace
 
-ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
+ForceBars::ForceBars(QWidget* parent) : PlainPlot(parent), arrays_(1), peaks_(1)
 {
     setAccessibleName(tr("Forces on the front flippers"));
-    makePlain(*this);
     elementScale_ = new ElementScale;
     setAxisScaleDraw(QwtPlot::xBottom, elementScale_);
     unitScale_ = new UnitScale;
@@ -41,8 +37,6 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
     QList<double> elements;
     for (int i = 0; i < kForceElements; ++i) elements << i;
     setAxisScaleDiv(QwtPlot::xBottom, QwtScaleDiv(-0.5, kForceElements - 0.5, {}, {}, elements));
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
-        axisWidget(axis)->setMargin(0);
 
     grid_ = new QwtPlotGrid;
     grid_->enableX(false);
@@ -73,15 +67,7 @@ ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
 void ForceBars::restyle()
 {
     setCanvasBackground(theme().card);
-    QFont small = font();
-    small.setPixelSize(scaled(13));
-    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
-        setAxisFont(axis, small);
-        QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, theme().muted);
-        colours.setColor(QPalette::WindowText, theme().cardBorder);
-        axisWidget(axis)->setPalette(colours);
-    }
+    styleScales(13);
     axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(34));
     elementScale_->invalidateCache();  // the cache holds the old theme's colours
     grid_->setMajorPen(theme().grid, 1.0);
@@ -89,16 +75,9 @@ void ForceBars::restyle()
     show();
 }
 
-void ForceBars::changeEvent(QEvent* event)
-{
-    QwtPlot::changeEvent(event);
-    // Restyles later, because the style sheet sets the palettes of the parts after this event.
-    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
-}
-
 void ForceBars::resizeEvent(QResizeEvent* event)
 {
-    QwtPlot::resizeEvent(event);
+    PlainPlot::resizeEvent(event);
     show();
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <qwt_plot.h>
-
 #include <QRectF>
 #include <array>
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "core/robot/measurement.h"
+#include "widgets/base/plain_plot.h"
 #include "widgets/signals/peak_hold.h"
 
 class QwtPlotGrid;
@@ -47,7 +46,7 @@ struct TimedForces {
 /// and hatched; one word labels neighbouring contacts. A saturated element reads ">19" and has a triangle. A thin line
 /// marks each bar's peak of the last 3 s. A bias drift above ForceDrift::kNotable is shown below its element. A missing
 /// value reads "--".
-class ForceBars final : public QwtPlot {
+class ForceBars final : public PlainPlot {
     Q_OBJECT
 public:
     enum class Unit { Newtons, Volts };
@@ -80,11 +79,11 @@ public:
     double pixelOf(double value) const;                ///< canvas y of a value in unit()
     double fullScale() const { return fullScale_; }    ///< [unit()] top of the scale
 
+    void restyle() override;
     QSize sizeHint() const override { return {380, 140}; }
     QSize minimumSizeHint() const override { return {260, 106}; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -93,7 +92,6 @@ private:
     };
 
     void addPeaks(const std::vector<ForceArray>& arrays, double time);
-    void restyle();  ///< applies the current theme and font
     void show();
     void showBars();
     void showNumbers();

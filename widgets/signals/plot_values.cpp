@@ -1,68 +1,42 @@
 #include "widgets/signals/plot_values.h"
 
-#include <QAbstractTableModel>
 #include <utility>
 
 #include "app/display/format.h"
 #include "widgets/base/tips.h"
+#include "widgets/signals/live_rows.h"
 
 namespace terratact {
 
 /// The rows of PlotValues.
-class PlotValuesModel final : public QAbstractTableModel {
+class PlotValuesModel final : public LiveRows<PlottedValues, PlotValues::kColumns> {
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    using LiveRows::LiveRows;
 
-    void setValues(std::vector<PlottedValues> values)
-    {
-        if (values.size() != values_.size()) {
-            beginResetModel();
-            values_ = std::move(values);
-            endResetModel();
-            return;
-        }
-        values_ = std::move(values);
-        if (!values_.empty())
-            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    }
-
-    int rowCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(values_.size());
-    }
-    int columnCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : PlotValues::kColumns;
-    }
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-    {
-        if (orientation != Qt::Horizontal) return {};
-        const QString names[PlotValues::kColumns]{
-            PlotValues::tr("Plot"),   PlotValues::tr("Signal"),
-            PlotValues::tr("Unit"),   PlotValues::tr("Cursor"),
-            PlotValues::tr("Min"),    PlotValues::tr("Max"),
-            PlotValues::tr("Mean"),   PlotValues::tr("sd"),
-            PlotValues::tr("Values"), {}};
-        if (role == Qt::DisplayRole) return names[section];
-        if (role == Qt::TextAlignmentRole) return alignment(section);
-        return {};
-    }
     QVariant data(const QModelIndex& index, int role) const override
     {
         if (!index.isValid()) return {};
         if (role == Qt::TextAlignmentRole) return alignment(index.column());
-        const QString shown = text(values_[static_cast<std::size_t>(index.row())], index.column());
+        const QString shown = text(row(index.row()), index.column());
         if (role == Qt::DisplayRole) return shown;
         if (role == Qt::ToolTipRole) return plainTip(shown);
         return {};
     }
 
 private:
-    static QVariant alignment(int column)
+    QString heading(int column) const override
     {
-        const bool isText = column == PlotValues::Name || column == PlotValues::Unit;
-        return QVariant::fromValue(
-            Qt::Alignment((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
+        const QString names[PlotValues::kColumns]{
+            PlotValues::tr("Plot"),   PlotValues::tr("Signal"),
+            PlotValues::tr("Unit"),   PlotValues::tr("Cursor"),
+            PlotValues::tr("Min"),    PlotValues::tr("Max"),
+            PlotValues::tr("Mean"),   PlotValues::tr("sd"),
+            PlotValues::tr("Values"), {}};
+        return names[column];
+    }
+    bool isNumber(int column) const override
+    {
+        return column != PlotValues::Name && column != PlotValues::Unit;
     }
     static QString text(const PlottedValues& of, int column)
     {
@@ -84,8 +58,6 @@ private:
         default: return {};
         }
     }
-
-    std::vector<PlottedValues> values_;
 };
 
 PlotValues::PlotValues(QWidget* parent) : PlainTable(parent), model_(new PlotValuesModel(this))
@@ -108,7 +80,7 @@ PlotValues::PlotValues(QWidget* parent) : PlainTable(parent), model_(new PlotVal
 
 void PlotValues::setValues(std::vector<PlottedValues> values)
 {
-    model_->setValues(std::move(values));
+    model_->setRows(std::move(values));
 }
 
 QString PlotValues::text(int row, Column column) const

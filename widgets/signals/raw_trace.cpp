@@ -1,6 +1,5 @@
 #include "widgets/signals/raw_trace.h"
 
-#include <QAbstractTableModel>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include "widgets/base/plain_table.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
+#include "widgets/signals/live_rows.h"
 
 namespace terratact {
 namespace {
@@ -50,49 +50,16 @@ bool TraceFilter::passes(const CanFrame& frame, const QString& name) const
 }
 
 /// The rows of RawTrace, newest first.
-class TraceModel final : public QAbstractTableModel {
+class TraceModel final : public LiveRows<TracedFrame, kTraceColumns> {
 public:
-    TraceModel(RawTrace::Words words, QObject* parent)
-        : QAbstractTableModel(parent), words_(std::move(words))
+    TraceModel(RawTrace::Words words, QObject* parent) : LiveRows(parent), words_(std::move(words))
     {
     }
 
-    void setFrames(std::vector<TracedFrame> frames)
-    {
-        if (frames.size() != frames_.size()) {
-            beginResetModel();
-            frames_ = std::move(frames);
-            endResetModel();
-            return;
-        }
-        frames_ = std::move(frames);
-        if (!frames_.empty())
-            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    }
-
-    int rowCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(frames_.size());
-    }
-    int columnCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : kTraceColumns;
-    }
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-    {
-        if (orientation != Qt::Horizontal) return {};
-        const QString names[kTraceColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
-                                           RawTrace::tr("Id"),     RawTrace::tr("Frame"),
-                                           RawTrace::tr("Bytes"),  RawTrace::tr("Content")};
-        if (role == Qt::DisplayRole) return names[section];
-        if (role == Qt::TextAlignmentRole) return alignment(section);
-        return {};
-    }
     QVariant data(const QModelIndex& index, int role) const override
     {
         if (!index.isValid()) return {};
-        const TracedFrame& traced =
-            frames_[frames_.size() - 1 - static_cast<std::size_t>(index.row())];
+        const TracedFrame& traced = row(rowCount() - 1 - index.row());
         if (role == Qt::TextAlignmentRole) return alignment(index.column());
         if (role == Qt::ForegroundRole) return colour(traced.trouble);
         if (role == Qt::ToolTipRole)  // the column may be too narrow for the text
@@ -116,18 +83,20 @@ private:
         return content.isEmpty() ? QStringLiteral("✘ ") + trouble
                                  : QStringLiteral("✘ %1: %2").arg(trouble, content);
     }
-    static QVariant alignment(int column)
+    QString heading(int column) const override
     {
-        return QVariant::fromValue(
-            Qt::Alignment((column <= Time ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        const QString names[kTraceColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
+                                           RawTrace::tr("Id"),     RawTrace::tr("Frame"),
+                                           RawTrace::tr("Bytes"),  RawTrace::tr("Content")};
+        return names[column];
     }
+    bool isNumber(int column) const override { return column <= Time; }
     static QColor colour(FrameTrouble trouble)
     {
         if (trouble == FrameTrouble::None) return theme().text;
         return trouble == FrameTrouble::Unknown ? theme().muted : theme().bad;
     }
 
-    std::vector<TracedFrame> frames_;
     RawTrace::Words words_;
 };
 
@@ -200,7 +169,7 @@ void RawTrace::applyFilter()
     for (const TracedFrame& traced : frames_)
         if (filter.passes(traced.frame, name_(traced.frame))) passed.push_back(traced);
     summary_->setText(tr("%1 of the newest %2 frames").arg(passed.size()).arg(frames_.size()));
-    model_->setFrames(std::move(passed));
+    model_->setRows(std::move(passed));
 }
 
 bool RawTrace::isPaused() const

@@ -1,6 +1,5 @@
 #include "widgets/signals/signal_table.h"
 
-#include <QAbstractTableModel>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <algorithm>
@@ -12,46 +11,15 @@
 #include "core/robot/measurement.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
+#include "widgets/signals/live_rows.h"
 
 namespace terratact {
 
 /// The rows of SignalTable.
-class SignalModel final : public QAbstractTableModel {
+class SignalModel final : public LiveRows<SignalRow, SignalTable::kColumns> {
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    using LiveRows::LiveRows;
 
-    void setRows(std::vector<SignalRow> rows)
-    {
-        if (rows.size() != rows_.size()) {
-            beginResetModel();
-            rows_ = std::move(rows);
-            endResetModel();
-            return;
-        }
-        rows_ = std::move(rows);
-        if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    }
-    const SignalRow& row(int i) const { return rows_.at(static_cast<std::size_t>(i)); }
-
-    int rowCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-    }
-    int columnCount(const QModelIndex& parent = {}) const override
-    {
-        return parent.isValid() ? 0 : SignalTable::kColumns;
-    }
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-    {
-        if (orientation != Qt::Horizontal) return {};
-        const QString names[SignalTable::kColumns]{
-            SignalTable::tr("Frame"), SignalTable::tr("Signal"), SignalTable::tr("Value"),
-            SignalTable::tr("Unit"),  SignalTable::tr("Rate"),   SignalTable::tr("Age"),
-            SignalTable::tr("Min"),   SignalTable::tr("Max"),    SignalTable::tr("Last 12 s")};
-        if (role == Qt::DisplayRole) return names[section];
-        if (role == Qt::TextAlignmentRole) return alignment(section);
-        return {};
-    }
     QVariant data(const QModelIndex& index, int role) const override
     {
         if (!index.isValid()) return {};
@@ -72,12 +40,18 @@ public:
     }
 
 private:
-    static QVariant alignment(int column)
+    QString heading(int column) const override
     {
-        const bool isNumber = (column >= SignalTable::Rate && column <= SignalTable::Most)
-                           || column == SignalTable::Value;
-        return QVariant::fromValue(
-            Qt::Alignment((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+        const QString names[SignalTable::kColumns]{
+            SignalTable::tr("Frame"), SignalTable::tr("Signal"), SignalTable::tr("Value"),
+            SignalTable::tr("Unit"),  SignalTable::tr("Rate"),   SignalTable::tr("Age"),
+            SignalTable::tr("Min"),   SignalTable::tr("Max"),    SignalTable::tr("Last 12 s")};
+        return names[column];
+    }
+    bool isNumber(int column) const override
+    {
+        return (column >= SignalTable::Rate && column <= SignalTable::Most)
+            || column == SignalTable::Value;
     }
     static QColor colour(const SignalRow& row, int column)
     {
@@ -111,8 +85,6 @@ private:
         default: return {};
         }
     }
-
-    std::vector<SignalRow> rows_;
 };
 
 namespace {

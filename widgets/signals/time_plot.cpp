@@ -7,7 +7,6 @@
 #include <qwt_text.h>
 
 #include <QMouseEvent>
-#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -16,7 +15,6 @@
 
 #include "app/display/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/plain_plot.h"
 #include "widgets/signals/session_timeline.h"
 
 namespace terratact {
@@ -47,15 +45,13 @@ constexpr std::array kPlotAxes{QwtPlot::xBottom, QwtPlot::yLeft};
 
 }  // namespace
 
-TimePlot::TimePlot(QWidget* parent) : QwtPlot(parent)
+TimePlot::TimePlot(QWidget* parent) : PlainPlot(parent)
 {
-    makePlain(*this);
     setFocusPolicy(Qt::StrongFocus);
     setAxisScaleDraw(QwtPlot::xBottom, new TimeScaleDraw);
     setAxisScaleDraw(QwtPlot::yLeft, new ValueScaleDraw);
     setAxisMaxMajor(QwtPlot::yLeft, 4);
     setAxisMaxMinor(QwtPlot::yLeft, 0);
-    for (const int axis : kPlotAxes) axisWidget(axis)->setMargin(0);
     grid_ = new QwtPlotGrid;
     grid_->attach(this);
     items_ = new PlotCurves;
@@ -70,14 +66,8 @@ TimePlot::TimePlot(QWidget* parent) : QwtPlot(parent)
 void TimePlot::restyle()
 {
     setCanvasBackground(theme().card);
-    QFont small = font();
-    small.setPixelSize(scaled(12));
+    styleScales(12);
     for (const int axis : kPlotAxes) {
-        setAxisFont(axis, small);
-        QPalette colours = axisWidget(axis)->palette();
-        colours.setColor(QPalette::Text, theme().muted);
-        colours.setColor(QPalette::WindowText, theme().cardBorder);
-        axisWidget(axis)->setPalette(colours);
         axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 4);
         axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MediumTick, 0);
         axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MinorTick, 0);
@@ -86,13 +76,6 @@ void TimePlot::restyle()
     axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(4), scaled(4));
     grid_->setMajorPen(theme().grid, 0.0);
     replot();
-}
-
-void TimePlot::changeEvent(QEvent* event)
-{
-    QwtPlot::changeEvent(event);
-    // Later, because the style sheet sets the palettes of the parts after this event.
-    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
 void TimePlot::setCurves(std::vector<TimePlotCurve> curves)

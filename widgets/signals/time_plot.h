@@ -1,12 +1,11 @@
 #pragma once
 
-#include <qwt_plot.h>
-
 #include <QPointF>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "widgets/base/plain_plot.h"
 #include "widgets/signals/plot_curves.h"
 
 class QwtPlotGrid;
@@ -22,7 +21,7 @@ struct PlotBox {
 /// One row of time plots: up to four signals over time, with a cursor. The pointer moves the cursor and a click fixes
 /// it. A drag draws a box to zoom to. A drag with the right or the middle button, or with Shift, moves in time. The
 /// wheel zooms at the pointer, with Shift it moves. GUI thread only.
-class TimePlot final : public QwtPlot {
+class TimePlot final : public PlainPlot {
     Q_OBJECT
 public:
     explicit TimePlot(QWidget* parent = nullptr);
@@ -43,6 +42,7 @@ public:
     double low() const { return low_; }
     double high() const { return high_; }
 
+    void restyle() override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -57,11 +57,9 @@ signals:
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
 private:
-    void restyle();
     void fitValues();
     double timeAt(double pixel) const;
     double valueAt(double pixel) const;

@@ -57,7 +57,6 @@ ProfileAxes::ProfileAxes(QwtPlot& plot) : plot_(plot)
 {
     plot.setAxisScaleDraw(QwtPlot::xBottom, new MetreScale(false));
     plot.setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
-    for (const int axis : kAxes) plot.axisWidget(axis)->setMargin(0);
 }
 
 void ProfileAxes::restyle()

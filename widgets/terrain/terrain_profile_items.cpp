@@ -9,11 +9,7 @@
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
-#include <QEvent>
-#include <QTimer>
-
 #include "widgets/base/palette.h"
-#include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/measured_line.h"
@@ -36,10 +32,9 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QBrush& fill
 }  // namespace
 
 TerrainProfileView::TerrainProfileView(QWidget* parent)
-    : QwtPlot(parent), axes_(*this), farRobot_(*this, true), robot_(*this)
+    : PlainPlot(parent), axes_(*this), farRobot_(*this, true), robot_(*this)
 {
     setAccessibleName(tr("Terrain profile"));
-    makePlain(*this);
     canvas()->installEventFilter(this);
     setAutoFillBackground(false);
 
@@ -201,13 +196,6 @@ void TerrainProfileView::sizeLegend()
 {
     const QFont small = sized(font(), 13);
     for (QWidget* label : legend()->findChildren<QwtLegendLabel*>()) label->setFont(small);
-}
-
-void TerrainProfileView::changeEvent(QEvent* event)
-{
-    QwtPlot::changeEvent(event);
-    // Restyles later, because the style sheet sets the palettes of the parts after this event.
-    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
 }  // namespace terratact

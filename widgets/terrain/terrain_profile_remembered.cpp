@@ -7,7 +7,6 @@
 
 #include "app/display/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/plain_plot.h"
 #include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/remembered_layer.h"
 #include "widgets/terrain/terrain_items.h"

@@ -6,7 +6,6 @@
 #include <qwt_plot_textlabel.h>
 #include <qwt_text.h>
 
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +16,6 @@
 #include "core/infer/verdict/verdict.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/earlier_layer.h"
 #include "widgets/terrain/profile_layers.h"

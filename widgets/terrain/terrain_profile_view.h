@@ -1,7 +1,5 @@
 #pragma once
 
-#include <qwt_plot.h>
-
 #include <array>
 #include <optional>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "core/robot/probe_side.h"
 #include "core/strip/strip.h"
 #include "core/terrain/outline.h"
+#include "widgets/base/plain_plot.h"
 #include "widgets/terrain/contact_marks.h"
 #include "widgets/terrain/profile_axes.h"
 #include "widgets/terrain/robot_sketch.h"
@@ -68,7 +67,7 @@ struct ArmTip {
 /// or that one is not felt (measured_line.h). The arrow keys move the second point from bin to bin.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
-class TerrainProfileView final : public QwtPlot {
+class TerrainProfileView final : public PlainPlot {
     Q_OBJECT
 public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
@@ -149,9 +148,7 @@ signals:
     void measuringChanged(bool on);
 
 public:
-    /// Applies the current theme and font; runs by itself soon after they change.
-    void restyle();
-
+    void restyle() override;
     void updateLayout() override;
     QSize sizeHint() const override { return {760, 420}; }
     QSize minimumSizeHint() const override { return {300, 110}; }
@@ -160,7 +157,6 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
