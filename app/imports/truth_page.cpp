@@ -69,7 +69,7 @@ QPushButton* TruthPage::button(const QString& text, const QString& tip, void (Tr
     return made;
 }
 
-void TruthPage::build()
+Card* TruthPage::makeList()
 {
     rows_ = new TruthRows(file_.truth(), choices_, this);
     auto* list = new Card(tr("Scenes"), this);
@@ -83,24 +83,11 @@ void TruthPage::build()
             [this](const QModelIndex& now) {
                 if (now.isValid()) showScene(static_cast<std::size_t>(now.row()));
             });
+    return list;
+}
 
-    auto* scene = new Card(tr("Slice of the cloud, robot and bins"), this);
-    sceneText_ = new PlainLabel(scene);
-    sceneText_->setWordWrap(true);
-    sceneText_->setAccessibleName(tr("The scene"));
-    view_ = new TruthView(scene);
-    auto* key = new PlainLabel(
-        file_.truth().isPlane
-            ? tr("left: dots · right: crosses · bins: mean of both sides, ± 1 and 2 sd")
-            : tr("left: dots, solid · right: crosses, dashed · bins with ± 1 and 2 sd"),
-        scene);
-    key->setWordWrap(true);
-    sides_ = new QComboBox(scene);
-    sides_->addItems({tr("both sides"), tr("left side"), tr("right side")});
-    sides_->setAccessibleName(tr("Shown sides"));
-    sides_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);  // high as the buttons
-    connect(sides_, &QComboBox::currentIndexChanged, this,
-            [this](int index) { view_->setSides(static_cast<TruthView::Sides>(index)); });
+void TruthPage::makeButtons()
+{
     accept_ = button(tr("&Accept"), tr("Keep the heights of this scene (A)"), &TruthPage::accept);
     exclude_ = button(tr("E&xclude"), tr("Leave this scene out (X)"), &TruthPage::exclude);
     undo_ = button(tr("&Undo"), tr("Take the last decision back (Ctrl+Z)"), &TruthPage::undo);
@@ -121,6 +108,21 @@ void TruthPage::build()
         back_,
         button(tr("no nudge"), tr("Take the nudge of this scene away (0)"),
                &TruthPage::resetNudge)};
+    for (QPushButton* const control : {ahead_, back_}) {
+        control->setEnabled(file_.hasCells());
+        if (!file_.hasCells()) setTip(*control, noCellsText());
+    }
+}
+
+QLayout* TruthPage::makeControls(QWidget* parent)
+{
+    sides_ = new QComboBox(parent);
+    sides_->addItems({tr("both sides"), tr("left side"), tr("right side")});
+    sides_->setAccessibleName(tr("Shown sides"));
+    sides_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);  // high as the buttons
+    connect(sides_, &QComboBox::currentIndexChanged, this,
+            [this](int index) { view_->setSides(static_cast<TruthView::Sides>(index)); });
+    makeButtons();
     auto* buttons = new QGridLayout;
     int place = 0;
     QList<QWidget*> controls{accept_, exclude_, undo_, export_, sides_, deciding_.last()};
@@ -129,15 +131,34 @@ void TruthPage::build()
         buttons->addWidget(control, place / kButtonsInARow, place % kButtonsInARow);
         ++place;
     }
-    for (QPushButton* const control : {ahead_, back_}) {
-        control->setEnabled(file_.hasCells());
-        if (!file_.hasCells()) setTip(*control, noCellsText());
-    }
+    return buttons;
+}
+
+Card* TruthPage::makeScene()
+{
+    auto* scene = new Card(tr("Slice of the cloud, robot and bins"), this);
+    sceneText_ = new PlainLabel(scene);
+    sceneText_->setWordWrap(true);
+    sceneText_->setAccessibleName(tr("The scene"));
+    view_ = new TruthView(scene);
+    auto* key = new PlainLabel(
+        file_.truth().isPlane
+            ? tr("left: dots · right: crosses · bins: mean of both sides, ± 1 and 2 sd")
+            : tr("left: dots, solid · right: crosses, dashed · bins with ± 1 and 2 sd"),
+        scene);
+    key->setWordWrap(true);
+    auto* controls = makeControls(scene);
     scene->body()->addWidget(sceneText_);
     scene->body()->addWidget(view_, 1);
     scene->body()->addWidget(key);
-    scene->body()->addLayout(buttons);
+    scene->body()->addLayout(controls);
+    return scene;
+}
 
+void TruthPage::build()
+{
+    auto* list = makeList();
+    auto* scene = makeScene();
     state_ = new PlainLabel(this);
     state_->setWordWrap(true);
     auto* split = new QSplitter(Qt::Horizontal, this);

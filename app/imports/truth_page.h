@@ -12,11 +12,13 @@
 
 class QComboBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QTableView;
 
 namespace terratact {
 
+class Card;
 class KeyTable;
 
 /// The scenes of a truth file, and the decisions on them: accept, exclude, nudge. Decisions are saved beside the truth
@@ -54,6 +56,10 @@ public:
 
 private:
     void build();
+    Card* makeList();
+    Card* makeScene();
+    QLayout* makeControls(QWidget* parent);
+    void makeButtons();
     QPushButton* button(const QString& text, const QString& tip, void (TruthPage::*act)());
     void fitColumns();
     /// Hides the last columns where the list is narrow; the line of the scene has what they show.
