@@ -92,30 +92,30 @@ void addSimulate(CLI::App& app, Job& job)
         app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
     const auto o = std::make_shared<SimulateOptions>();
     addRobot(*c, o->robot);
-    addTerrain(*c, o->terrain,
+    addTerrain(*c, o->scenes.terrain,
                "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, hazards, or a CSV file of "
                "profiles: two columns x,z in "
                "m, or rows of heights in m")
         ->required();
     addTextOutput(*c, "--out", o->out, "Scenes CSV to write; drives CSV with --drives")->required();
-    addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
-    CLI::Option* const count =
-        c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
-            ->check(CLI::Range(1, static_cast<int>(kMaxScenes)));
+    addNumber(*c, "--seed", o->scenes.seed, "Seed of terrain and noise");
+    CLI::Option* const count = c->add_option("--count", o->scenes.count,
+                                             "Scenes (default: 1400, or every stop over a file)")
+                                   ->check(CLI::Range(1, static_cast<int>(kMaxScenes)));
     CLI::Option* const drives = addDrives(*c, *o)->excludes(count);
-    addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
+    addNumber(*c, "--step", o->scenes.step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
-    c->add_flag("--blocks", o->blocks,
+    c->add_flag("--blocks", o->scenes.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
-    c->add_flag("--exact-truth", o->exactTruth, "No scanner noise on the true heights");
-    c->add_option("--soft-drives", o->softDrives,
+    c->add_flag("--exact-truth", o->scenes.exactTruth, "No scanner noise on the true heights");
+    c->add_option("--soft-drives", o->scenes.softDrives,
                   "Share of the drives over ground into which the robot sinks (default 0)")
         ->check(CLI::Range(0.0, 1.0));
     CLI::Option* const tracks =
         c->add_flag("--tracks", o->tracks,
                     "Scenes of left and right: ground under two tracks; a file may have lines "
                     "with y_m");
-    addSimulatedMap(*c, o->map)->excludes(drives);
+    addSimulatedMap(*c, o->scenes.map)->excludes(drives);
     const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
     addParsed(*c, "--disturb", *disturbed, disturbedFrom, disturbanceNames(),
               fmt::format("is none of {}, nor {}", disturbanceNames(), sensorFaultSyntax()),
@@ -124,12 +124,14 @@ void addSimulate(CLI::App& app, Job& job)
         ->excludes(tracks)
         ->excludes(drives);
     c->callback([o, disturbed, &job] {
-        if (o->drives > 0 && (o->terrain == "boxes" || o->terrain == "hazards"))
+        if (o->drives > 0 && (o->scenes.terrain == "boxes" || o->scenes.terrain == "hazards"))
             throw CLI::ValidationError("--drives", "needs --terrain varied or a file");
-        if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
-        if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;
+        if (const auto* known = std::get_if<Disturbance>(disturbed.get()))
+            o->scenes.disturbance = *known;
+        if (const auto* fault = std::get_if<SensorFault>(disturbed.get()))
+            o->scenes.sensorFault = *fault;
         useShippedRobot(o->robot);
-        o->map.seed = o->seed;
+        o->scenes.map.seed = o->scenes.seed;
         job = [o] { return o->drives > 0 ? recordDrives(*o) : simulate(*o); };
     });
 }

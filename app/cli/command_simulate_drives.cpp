@@ -11,15 +11,15 @@ namespace {
 
 SimulatedDrives wantedDrives(const SimulateOptions& options)
 {
-    SimulatedDrives drives{.grounds = {.terrain = options.terrain,
-                                       .step = options.step,
-                                       .blocks = options.blocks,
-                                       .seed = options.seed},
+    SimulatedDrives drives{.grounds = {.terrain = options.scenes.terrain,
+                                       .step = options.scenes.step,
+                                       .blocks = options.scenes.blocks,
+                                       .seed = options.scenes.seed},
                            .drives = options.drives,
                            .tracks = options.tracks,
                            .way = options.way,
-                           .softDrives = options.softDrives,
-                           .exactTruth = options.exactTruth};
+                           .softDrives = options.scenes.softDrives,
+                           .exactTruth = options.scenes.exactTruth};
     drives.way.pitchBias = options.pitchBiasDegrees * kDegree;
     return drives;
 }
@@ -42,11 +42,13 @@ Status recordDrives(const SimulateOptions& options)
     if (!recording) return recording.error();
     if (recording->lines == 0)
         return Error{
-            fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
+            fmt::format("{}: the robot finds no rest pose anywhere on it", options.scenes.terrain),
+            0};
     if (Status written = writeParts(options.out, recording->parts); !written) return written;
     std::FILE* const messages = messagesBeside(options.out);
     printText(messages, "{} drives over {} with {} lines and {} scenes written to {}",
-              recording->drives, options.terrain, recording->lines, recording->scenes, options.out);
+              recording->drives, options.scenes.terrain, recording->lines, recording->scenes,
+              options.out);
     if (recording->skipped > 0)
         printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
     printText(messages, "\n");

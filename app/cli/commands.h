@@ -8,13 +8,11 @@
 #include "app/link/can_text.h"
 #include "app/modelling/evaluation/scene_evaluation.h"
 #include "app/modelling/simulation/driven_grounds.h"
-#include "app/modelling/simulation/simulated_map.h"
+#include "app/modelling/simulation/simulated_scenes.h"
 #include "app/modelling/truth/laser_truth.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
 #include "core/learn/data/bin_set.h"
-#include "core/sim/disturbance.h"
-#include "core/sim/sensor_fault.h"
 #include "core/sim/way_drive.h"
 
 namespace terratact {
@@ -23,24 +21,14 @@ namespace terratact {
 
 struct SimulateOptions {
     std::string robot;
-    std::string terrain =
-        "boxes";  ///< "boxes", "varied", "hazards", or a file of profiles or lines
     std::string out;
-    std::uint64_t seed = 1;
-    int count = 0;        ///< number of scenes; 0: 1400 for presets, every stop of a file
-    double step = 0.1;    ///< [m] spacing of the heights in a file
-    bool blocks = false;  ///< heights of a file are flat-topped blocks
-    bool exactTruth = false;
-    Disturbance disturbance = Disturbance::None;
-    std::optional<SensorFault> sensorFault{};  ///< acts on every drive from its start
-    double softDrives = 0.0;                   ///< share of drives over soft ground
-    /// Scenes of two tracks on ground lines; without disturbance and sensor fault.
-    bool tracks = false;
-    /// Number of drives with telemetry on the way, without `count` and disturbance; 0: scenes alone.
+    /// With `drives` only terrain, step, blocks, seed, softDrives and exactTruth count.
+    SimulatedScenes scenes{};
+    bool tracks = false;  ///< scenes of two tracks on ground lines
+    /// Number of drives with telemetry on the way, without `count`, disturbance and sensor fault; 0: scenes alone.
     int drives = 0;
     WayDriveOptions way{};          ///< of these drives, without the bias of pitch
     double pitchBiasDegrees = 0.0;  ///< of these drives
-    SimulatedMapOptions map{};
 };
 Status simulate(const SimulateOptions& options);
 /// Records options.drives with telemetry on the way (app/modelling/simulation/simulated_drives.h).
