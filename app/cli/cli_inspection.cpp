@@ -30,24 +30,26 @@ void addFaults(CLI::App& app, Job& job)
     const auto o = std::make_shared<FaultsOptions>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    c->add_option("--terrain", o->terrain, "varied, or a CSV file of profiles")
+    c->add_option("--terrain", o->trial.grounds.terrain, "varied, or a CSV file of profiles")
         ->capture_default_str();
-    addNumber(*c, "--drives", o->drives, "Drives; of a file every profile, at most so many")
+    addNumber(*c, "--drives", o->trial.drives, "Drives; of a file every profile, at most so many")
         ->check(CLI::Range(1, 100'000));
-    addNumber(*c, "--spacing", o->spacing, "Driven between two scenes [m]")
+    addNumber(*c, "--spacing", o->trial.spacing, "Driven between two scenes [m]")
         ->check(CLI::Range(0.01, 1.0));
-    addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
+    addNumber(*c, "--step", o->trial.grounds.step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
-    c->add_flag("--blocks", o->blocks,
+    c->add_flag("--blocks", o->trial.grounds.blocks,
                 "A file's heights are flat-topped blocks with vertical faces");
     c->add_flag(
         "--matrix", o->matrix,
         "Every kind of fault at every sensor: in how many drives it is noticed, or why not");
-    c->add_flag("--return", o->comesBack, "Every drive turns round at its end and comes back");
-    addNumber(*c, "--seed", o->settings.seed, "Seed of terrain, noise and estimates");
+    c->add_flag("--return", o->trial.comesBack,
+                "Every drive turns round at its end and comes back");
+    addNumber(*c, "--seed", o->trial.settings.seed, "Seed of terrain, noise and estimates");
     c->callback([o, &job] {
         useShippedRobot(o->robot);
         useShippedModel(o->model);
+        o->trial.grounds.seed = o->trial.settings.seed;
         job = [o] { return judgeFaults(*o); };
     });
 }

@@ -9,6 +9,7 @@
 #include "app/modelling/evaluation/scene_evaluation.h"
 #include "app/modelling/simulation/driven_grounds.h"
 #include "app/modelling/simulation/simulated_scenes.h"
+#include "app/modelling/trials/fault_trials.h"
 #include "app/modelling/truth/laser_truth.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
@@ -100,14 +101,8 @@ std::vector<std::string> tradeoffFiles();
 
 struct FaultsOptions {
     std::string robot, model;
-    std::string terrain = "varied";  ///< "varied", or a profile file
-    double step = 0.1;               ///< [m] spacing of the heights in a file
-    bool blocks = false;             ///< heights of a file are flat-topped blocks
-    int drives = 40;                 ///< number over random ground; maximum of a file's profiles
-    double spacing = 0.3;            ///< [m] distance between two scenes
-    bool comesBack = false;          ///< every drive turns at its end and drives back
-    bool matrix = false;             ///< every kind of fault at every sensor, without estimates
-    Settings settings;
+    FaultTrial trial{};
+    bool matrix = false;  ///< every kind of fault at every sensor, without estimates
 };
 /// Drives simulated robots with sensor faults. Prints per fault when SensorWatch detects it, the scenes under
 /// suspicion, and the error and coverage with the fault.
