@@ -270,7 +270,7 @@ RerunLedgers SessionReruns::laterPoses(SessionReader& session) const
             (now ? earlier.again : earlier.row.estimate).onePlane && later->row.estimate.onePlane;
         if (onePlane && side == 1) continue;
         (now ? ledgers.now : ledgers.then)
-            .record(*estimates[pose.estimate].estimate, pose.ghost,
+            .record(*estimates[pose.estimate].estimate, pose.carried,
                     later->row.estimate.side.at(side));
     }
     return ledgers;

@@ -83,14 +83,14 @@ void CalibrationLedger::record(const TerrainEstimate& before, const TerrainEstim
             record(before, static_cast<int>(i), after.mean[i], after.sd[i], after.origin[i]);
 }
 
-void CalibrationLedger::record(const TerrainEstimate& before, const Ghost& moved,
+void CalibrationLedger::record(const TerrainEstimate& before, const CarriedEstimate& carried,
                                const TerrainEstimate& after)
 {
     TerrainEstimate shown;
     for (std::size_t i = 0; i < kBins; ++i) {
-        const double x = binCentre(static_cast<int>(i)) + moved.motion.forward;
+        const double x = binCentre(static_cast<int>(i)) + carried.motion.forward;
         const auto nearest = std::lround((x - binCentre(0)) / kBinWidth);
-        const auto& bin = moved.bin[i];
+        const auto& bin = carried.bin[i];
         const bool counts = bin && nearest >= 0 && nearest < kBins
                          && before.origin[static_cast<std::size_t>(nearest)] == Origin::Sampled;
         shown.origin[i] = counts ? Origin::Sampled : Origin::Contact;

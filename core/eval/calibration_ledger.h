@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/infer/estimate/estimate.h"
-#include "core/infer/verdict/ghost.h"
+#include "core/strip/carried_estimate.h"
 
 namespace terratact {
 
@@ -58,10 +58,10 @@ struct LedgerSummary {
 /// measurement's noise:
 ///   PIT = 1/n Σ_d Φ((y − h_b^d) / measuredSd)
 /// A noisy instrument therefore cannot make a narrow band look wrong. An estimate without draws
-/// counts as the normal of its mean and sd. Both estimates must be of the same pose, unless a ghost
-/// connects them.
-/// Entries of one pose share their error and count as fewer independent ones. So do entries of a
-/// probe, which goes where the band is widest.
+/// counts as the normal of its mean and sd. Both estimates must be of the same pose, unless the
+/// earlier one is carried to the later pose.
+/// Entries of one pose share their error, so they are not independent. Entries of a probe are not
+/// representative, because the probe goes where the band is widest.
 class CalibrationLedger {
 public:
     /// Adds a measurement `by` the arm or a contact; ignored if `shownBefore` had measured the bin.
@@ -75,9 +75,10 @@ public:
     /// `after` are the measurement.
     void record(const TerrainEstimate& before, const TerrainEstimate& after);
 
-    /// Adds measurements at a later pose, where `moved` is the ghost of `before`. The ghost's bins
-    /// count as shown, as normals. Bins whose nearest bin of `before` was measured are left out.
-    void record(const TerrainEstimate& before, const Ghost& moved, const TerrainEstimate& after);
+    /// Adds measurements at a later pose, to which `before` was carried. Its carried bins count as
+    /// shown, as normals. Bins whose nearest bin of `before` was measured are left out.
+    void record(const TerrainEstimate& before, const CarriedEstimate& carried,
+                const TerrainEstimate& after);
 
     void add(const CalibrationLedger& other);  ///< appends the entries of another ledger
 

@@ -1,23 +1,12 @@
 #include "core/log/later_poses.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <utility>
 
-#include "core/infer/verdict/ghost_track.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {
 namespace {
-
-/// Gives a ceiling to bins that rest on the training set alone, because a ghost has no such bins.
-/// Their bands are shown, so they must be judged too.
-TerrainEstimate withPriorOnlyBins(TerrainEstimate estimate)
-{
-    for (double& ceiling : estimate.ceiling)
-        if (std::isinf(ceiling)) ceiling = std::numeric_limits<double>::max();
-    return estimate;
-}
 
 class Follower {
 public:
@@ -39,7 +28,7 @@ public:
 private:
     struct Track {
         std::size_t estimate;
-        GhostTrack ghost;
+        EstimateCarrier carrier;
     };
 
     /// Records where the earlier estimates are at the next scene, and starts to follow that scene's
@@ -47,13 +36,13 @@ private:
     void reach()
     {
         for (const Track& track : tracks_)
-            if (track.ghost.ghost())
-                found_.push_back({track.estimate, next_, *track.ghost.ghost()});
+            if (track.carrier.carried())
+                found_.push_back({track.estimate, next_, *track.carrier.carried()});
         const SceneRow& scene = session_.scenes()[next_];
         for (std::size_t k = 0; k < estimates_.size(); ++k)
             if (estimates_[k].scene == next_)
-                tracks_.push_back({k, GhostTrack(robot_, withPriorOnlyBins(*estimates_[k].estimate),
-                                                 scene.measurement)});
+                tracks_.push_back(
+                    {k, EstimateCarrier(robot_, *estimates_[k].estimate, scene.measurement)});
         at_ = scene.time;
         ++next_;
     }
@@ -65,7 +54,7 @@ private:
         const SessionTime until = session_.scenes()[next_].time;
         for (std::size_t batch = session_.batchAt(at_); batch < session_.batches().size();
              ++batch) {
-            std::erase_if(tracks_, [](const Track& track) { return !track.ghost.ghost(); });
+            std::erase_if(tracks_, [](const Track& track) { return !track.carrier.carried(); });
             if (tracks_.empty() || session_.batches()[batch].first > until) return;
             for (const FrameRow& row : session_.frames(batch))
                 if (row.time > at_ && row.time <= until) add(row);
@@ -76,7 +65,7 @@ private:
     {
         const auto measurement = listener_.receive(row.frame, secondsOf(row.time));
         if (!measurement) return;
-        for (Track& track : tracks_) track.ghost.add(*measurement);
+        for (Track& track : tracks_) track.carrier.add(*measurement);
     }
 
     SessionReader& session_;

@@ -134,15 +134,15 @@ TEST(CalibrationLedger, countsOnlyBinsThatWereNotMeasuredBefore)
     EXPECT_EQ(ledger.entries()[1].by, Origin::Arm);
 }
 
-TEST(CalibrationLedger, scoresTheGhostsBandAtALaterPose)
+TEST(CalibrationLedger, scoresTheCarriedBandAtALaterPose)
 {
     TerrainEstimate before;
     before.sd.fill(kSd);
     before.origin[5] = Origin::Contact;
-    Ghost moved;
-    moved.motion.forward = 1.04 * kBinWidth;  // bin 4 of now is nearest to the earlier bin 5
+    CarriedEstimate carried;
+    carried.motion.forward = 1.04 * kBinWidth;  // bin 4 of now is nearest to the earlier bin 5
     for (int bin = 0; bin + 1 < kBins; ++bin)
-        moved.bin[static_cast<std::size_t>(bin)] = GhostBin{0.01 * bin, 0.06, 0.0, 0.0};
+        carried.bin[static_cast<std::size_t>(bin)] = HeightBand{0.01 * bin, 0.06, 0.0, 0.0};
     TerrainEstimate after;
     for (const int bin : {4, 6, 10}) {
         const auto i = static_cast<std::size_t>(bin);
@@ -151,8 +151,8 @@ TEST(CalibrationLedger, scoresTheGhostsBandAtALaterPose)
         after.sd[i] = 0.02;
     }
     CalibrationLedger ledger;
-    ledger.record(before, moved, after);
-    ASSERT_EQ(ledger.entries().size(), 1U) << "bin 4 had been measured, bin 10 has no ghost";
+    ledger.record(before, carried, after);
+    ASSERT_EQ(ledger.entries().size(), 1U) << "bin 4 had been measured, bin 10 is not carried";
     EXPECT_EQ(ledger.entries()[0].bin, 6);
     EXPECT_EQ(ledger.entries()[0].by, Origin::Contact);
     EXPECT_DOUBLE_EQ(ledger.entries()[0].z, (0.1 - 0.06) / std::hypot(0.06, 0.02));

@@ -5,23 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include "tests/support/absolem.h"
+#include "tests/support/dead_reckoning.h"
 
 namespace terratact {
 namespace {
-
-DeadReckoning reckoned(std::initializer_list<std::pair<double, double>> way)
-{
-    DeadReckoning reckoning(absolem(), way.begin()->first, way.begin()->second);
-    for (const auto& [travelled, pitch] : way) reckoning.add(travelled, pitch);
-    return reckoning;
-}
 
 TEST(DeadReckoning, rollsAlongThePitch)
 {
