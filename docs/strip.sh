@@ -64,7 +64,8 @@ band without marks, dotted where the ground was bounded or felt in part. Its sta
 only the ground behind it is drawn. Ground that was not felt is not drawn, nor ground with an sd above 0.15 m. Remembered ground decides
 nothing: the verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot
 again. Behind the strip stand up to eight sections from before a break, thin and grey. Each lies behind a gap with a dashed rule and the
-reason. They have no known place relative to the robot. A review begins its strip 10 to 15 min before the moment that it shows; older ground is missing there.
+reason. They have no known place relative to the robot. A review shows the same strip. It reads a long session from its begin while it is
+open. Until it has come to the shown moment, ground that was felt more than 10 to 15 min before that moment is missing.
 
 ## Export
 

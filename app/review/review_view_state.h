@@ -39,6 +39,9 @@ public:
     /// Returns the contact threshold [N]: that of the estimate, if there was one.
     static double threshold(const ReviewMoment& moment, const Preferences& preferences);
 
+    /// Reads on for the remembered ground (ReviewStrip::readOn()). Returns true if that of the moment has changed.
+    bool readOn(const ReviewMoment& moment) { return strip_.readOn(moment.time); }
+
     /// Returns the state of the terrain page. whatIf: the same scene with other settings; the page shows it as second
     /// estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
     TerrainViewState terrain(const ReviewMoment& moment, const Revised<TwoTrackEstimate>& whatIf,

@@ -199,6 +199,7 @@ void ReviewWindow::poll(double elapsed)
         followSession();
     }
     player_->advance(elapsed);
+    if (viewStates_.readOn(moment_)) showTerrain();
     if (currentPage() == whatIf_) whatIf_->refresh(0.0);
     if (plots_->panel()->isVisible()) plots_->refresh(steadyNow());
 }

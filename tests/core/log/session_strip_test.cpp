@@ -93,8 +93,28 @@ TEST_F(StripOfSession, aReviewCountsTouchesFromTheSessionsBegin)
     const StripLedger ledger = at(kLater).ledger();
     EXPECT_GT(ledger.of(ScoredBy::Probe).n, 0U);
     EXPECT_EQ(reviewed(kLater).ledger, ledger);
-    constexpr double kPart = 2.0 * (ReviewStrip::kShortest + ReviewStrip::kStep);
+    constexpr double kPart = 2.0 * (ReviewStrip::kMinLength + ReviewStrip::kStep);
     EXPECT_EQ(reviewed(kPart).ledger, std::nullopt) << "its strip begins later";
+}
+
+TEST_F(StripOfSession, aReviewReadsALongSessionFromItsBegin)
+{
+    constexpr double kLong = 1.5 * ReviewStrip::kWholes * ReviewStrip::kStep;
+    record({event(kStood, EventKind::TelemetryGap), event(kLong, EventKind::Marker)});
+    ReviewMoments moments(*reader, absolem());
+    ReviewStrip strips(*reader, absolem());
+    const auto shown = [&](double time) { return strips.at(moments.at(sessionTimeOf(time))); };
+    EXPECT_TRUE(shown(kLong).earlier.empty()) << "it begins later";
+    int changes = 0;
+    for (int k = 0; k < 2 * kLong / ReviewStrip::kPart; ++k)
+        changes += strips.readOn(sessionTimeOf(kLong)) ? 1 : 0;
+    EXPECT_EQ(changes, 1);
+    const Strip whole = at(kLong);
+    ASSERT_EQ(whole.earlier().size(), 1U);
+    const ReviewStrip::ViewState expected{whole.seen(), whole.earlier(), whole.whyNothing(),
+                                          whole.ledger()};
+    for (const double share : {1.0, 0.5, 0.999, 0.1, 1.0})
+        EXPECT_EQ(shown(share * kLong), expected) << share;
 }
 
 TEST_F(StripOfSession, gapsAndModelsEndASection)
