@@ -1,13 +1,15 @@
 #!/bin/sh
 # Writes docs/memory.md: estimates with the memory of the way, against those of one scene alone. Minutes on two cores.
-# Usage: docs/memory.sh path/to/terratact LONG_PROFILES.csv TRACK_PAIRS.csv [DRIVES]
+# Usage: docs/memory.sh path/to/terratact LONG_PROFILES.csv TRACK_PAIRS.csv TESTS [DRIVES]
 #   LONG_PROFILES.csv, TRACK_PAIRS.csv   real ground of one plane and of two tracks
+#   TESTS                                folder of the test programs, build/release/tests
 #   DRIVES                               most drives of each file, default 400
 set -eu
 terratact=$(realpath "$1")
 profiles=$(realpath "$2")
 pairs=$(realpath "$3")
-drives=${4:-400}
+smoother=$(realpath "$4")/terratact-bench-smoother
+drives=${5:-400}
 cd "$(dirname "$0")"
 docs=$PWD
 folder=$(mktemp -d)
@@ -29,6 +31,27 @@ show() {
     echo
     echo '```'
     "$terratact" evaluate --drives drives.csv
+    echo '```'
+  } >>"$page"
+}
+
+# Simulates a few drives over generated ground for the smoother, which takes long: so many, spacing, seed, file.
+few() {
+  what="--drives $1 --terrain varied --spacing $2 --exact-truth --seed $3 --out $4"
+  echo "    terratact simulate $what" >>"$page"
+  "$terratact" simulate $what >/dev/null
+}
+
+# Prints the errors of the smoother, of local and of trail on the same drives.
+smooth() {
+  few 3 0.3 6 choice.csv
+  few 8 0.3 5 drives_0.3.csv
+  few 8 0.1 5 drives_0.1.csv
+  {
+    echo '    terratact-bench-smoother 150 choice.csv drives_0.3.csv drives_0.1.csv'
+    echo
+    echo '```'
+    "$smoother" 150 choice.csv drives_0.3.csv drives_0.1.csv
     echo '```'
   } >>"$page"
 }
@@ -92,4 +115,24 @@ show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --pitch-bias 1
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --press-share 0.5
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --gap 0.5
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --gap 1.2
+cat >>"$page" <<'TEXT'
+
+## A smoother over the drive
+
+The networks were compared with a filter that learns nothing: an ensemble Kalman smoother (`tests/bench/drive_ensemble.h`). Each of its 150
+members is a ground with posts every 0.05 m, and the robot's place on it. The members begin as random pieces of generated ground. Odometry
+moves the robot on each member, with a slip of its own. At each press, the rest pose on each member predicts the readings. So it does after
+every 0.12 m of way without a press, for pitch and currents.
+
+The differences to the measured readings then correct each member: its ground behind and ahead, the robot's place, and the heights of the
+bins. The readings have the noise of the simulated sensors, and that of ground through posts. *Reach* localises: corrections of the ground
+fall with the distance from the robot. *Relaxation* inflates: it is the share of the spread before an update that is kept. Both are
+chosen on drives of another seed, for the least mean error.
+
+The smoother knows that the ground is hard, the robot's shape and weight, and the range of press torques. Its heights are those after
+the press of their scene, as of the other methods. Its CPU time is that of the way since the last stop and of the press. Few drives are
+judged because of it. Every method sees the same drives, so compare the rows of a table.
+
+TEXT
+smooth
 cp "$page" "$docs/memory.md"

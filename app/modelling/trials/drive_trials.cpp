@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -19,15 +16,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kScoredBins = 9;  // -0.3 … 0.5 m
 constexpr std::size_t kDrivesPerTurn = 32;
-
-/// A scene's bins against the truth, of one side.
-struct JudgedSide {
-    std::array<double, kBins> error{};  ///< |error| [m]; NaN without a truth
-    std::array<bool, kBins> inside{};
-    bool isEarly = false;
-};
 
 /// Judged scenes of one drive, by method.
 struct JudgedScenes {
@@ -35,17 +24,6 @@ struct JudgedScenes {
     std::vector<std::vector<double>> cpu;  ///< [s]
     std::size_t early = 0, whole = 0, failed = 0;
 };
-
-JudgedSide judgedSide(const TerrainEstimate& estimate, const OptionalHeights& truth, bool early)
-{
-    JudgedSide side;
-    side.isEarly = early;
-    for (std::size_t i = 0; i < kBins; ++i) {
-        side.error[i] = truth[i] ? std::abs(estimate.height[i] - *truth[i]) : std::nan("");
-        side.inside[i] = truth[i] && estimate.q10[i] <= *truth[i] && *truth[i] <= estimate.q90[i];
-    }
-    return side;
-}
 
 class DriveJudge {
 public:
@@ -101,63 +79,6 @@ private:
     const std::vector<Method>& methods_;
     const Settings& settings_;
 };
-
-double medianOf(std::vector<double> values)
-{
-    if (values.empty()) return std::nan("");
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-double meanOf(const std::vector<double>& values)
-{
-    if (values.empty()) return std::nan("");
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Errors of some bins over all sides.
-struct BinErrors {
-    std::vector<double> errors;
-    double inside = 0.0;
-
-    void add(const JudgedSide& side, std::size_t bin)
-    {
-        if (std::isnan(side.error.at(bin))) return;
-        errors.push_back(side.error.at(bin));
-        inside += side.inside.at(bin) ? 1.0 : 0.0;
-    }
-    double cover() const
-    {
-        return errors.empty() ? std::nan("") : inside / static_cast<double>(errors.size());
-    }
-};
-
-DriveScores scoresOf(Method method, const std::vector<JudgedSide>& sides, bool early,
-                     std::vector<double> cpu)
-{
-    BinErrors scored;
-    std::array<BinErrors, kBins> bins;
-    for (const JudgedSide& side : sides) {
-        if (side.isEarly != early) continue;
-        for (std::size_t i = 0; i < kBins; ++i) {
-            bins.at(i).add(side, i);
-            if (i < kScoredBins) scored.add(side, i);
-        }
-    }
-    DriveScores scores;
-    scores.name = name(method);
-    scores.median = medianOf(scored.errors);
-    scores.mean = meanOf(scored.errors);
-    scores.in80 = scored.cover();
-    scores.cpu = medianOf(std::move(cpu));
-    for (std::size_t i = 0; i < kBins; ++i) {
-        scores.medians.at(i) = medianOf(bins.at(i).errors);
-        scores.means.at(i) = meanOf(bins.at(i).errors);
-        scores.cover.at(i) = bins.at(i).cover();
-    }
-    return scores;
-}
 
 template <class T>
 void appendAll(std::vector<T>& to, const std::vector<T>& more)
@@ -297,8 +218,9 @@ Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBun
                            .whole = {},
                            .begin = {}};
     for (std::size_t m = 0; m < methods.size(); ++m) {
-        findings.whole.push_back(scoresOf(methods[m], all.sides[m], false, all.cpu[m]));
-        findings.begin.push_back(scoresOf(methods[m], all.sides[m], true, all.cpu[m]));
+        const std::string label(name(methods[m]));
+        findings.whole.push_back(scoresOf(label, all.sides[m], false, all.cpu[m]));
+        findings.begin.push_back(scoresOf(label, all.sides[m], true, all.cpu[m]));
     }
     return findings;
 }

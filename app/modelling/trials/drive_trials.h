@@ -1,29 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "app/modelling/scene_estimates.h"
+#include "app/modelling/trials/drive_scores.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
-#include "core/terrain/bins.h"
 
 namespace terratact {
 
 /// Way after which the memory of a scene is complete [m]: the robot has rolled over its own length.
 inline constexpr double kWholeMemory = 0.85;
-
-/// Scores of one method over the scenes of drives. Errors of both sides count on two tracks.
-struct DriveScores {
-    std::string name;                 ///< "local", "trail"
-    double median = 0.0, mean = 0.0;  ///< |error| over the bins −0.3 … 0.5 m [m]
-    double in80 = 0.0;                ///< share of known truths within q10 … q90, the same bins
-    std::array<double, kBins> medians{}, means{}, cover{};  ///< by bin
-    double cpu = 0.0;  ///< median processor time of an estimate, of all scenes [s]
-};
 
 struct DriveFindings {
     std::size_t drives = 0;
