@@ -20,6 +20,10 @@ that its OpenBLAS offers for this processor.  Debian 12's does not always find t
 ratios, because times depend on the machine and the hour.  Other programs on its cores change what the caches hold. NumPy needs more of the
 caches, so more load makes the ratios to NumPy larger.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
 
+Highway compiles our kernels for several instruction sets from one source (\`core/learn/kernels/kernel_targets.h\`).  The program uses the
+fastest set that the processor has.  The tables show AVX-512, AVX2 and SSE4, as far as the processor has them.  They leave out SSSE3 and the
+baseline of older processors.  On a processor without these sets, such as one of ARM, they show its baseline alone.
+
 A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
 their own known bins and 20 sweeps per chain.  They include all the work of \`evaluate\` and \`reconstruct\`.
 *rows*: 16 chains through so many inducing rows; \`fast\`, \`balanced\` and \`accurate\` are the presets.
@@ -49,7 +53,7 @@ a variance therefore goes through selected rows (\`core/learn/gp/sparse_process.
 variance, and all others together no more than 1 %.  They are chosen when a process is first used; the table shows how many of the products
 are left.  A mean goes through all rows, in double.  The result is compared with all rows where a process is first used.  It is not used
 where a variance is off by more than 0.2 % at sixteen probes.  This command prints how far variances of the shipped model are off, from
-likely to absurd states: \`build/headless/tests/core.learn.model --gtest_filter='*SinglePrecision*'\`.  In double nothing is
+likely to absurd states: \`$build/tests/core.learn.model --gtest_filter='*SinglePrecision*'\`.  In double nothing is
 left out.
 
 *quadratic form*: measured with one bin's factor of all rows, which the nearest caches keep in part.  *rest*: the extra cost of nine bins'
