@@ -359,10 +359,10 @@ void PlotsPanel::showNote()
 void PlotsPanel::showNow()
 {
     if (!isChosen_) chooseSignals();
+    shownVersion_ = source_.version();  // before its values: more may come
     state_.setEnds(source_.begin(), source_.end());
     showRows();
     showNote();
-    shownVersion_ = source_.version();
 }
 
 void PlotsPanel::refresh(double now, bool force)
