@@ -79,8 +79,8 @@ set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${TERRATACT_HOMEPAGE})
 
-# The version of a package has the release it was built on: 0.2.0~deb12. It comes before that of Debian 13, so that apt
-# takes the new release's package after an upgrade of the system.
+# The version of a package ends with the release it was built on: 0.2.0~deb12. It sorts before the version of Debian 13.
+# After an upgrade of the system, apt therefore takes the new release's package.
 set(TERRATACT_PACKAGE_VERSION "" CACHE STRING "Version without the release; empty: what cmake/version.sh prints")
 set(_version ${TERRATACT_PACKAGE_VERSION})
 if(NOT _version)

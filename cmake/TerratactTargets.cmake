@@ -76,8 +76,8 @@ function(terratact_library target)
     string(MAKE_C_IDENTIFIER "${target}_${room}" group)
     set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${group})
   endforeach()
-  # These warnings are wrong in joined sources: types without linkage belong to the one compiled file, and g++ 12 loses
-  # track of allocations, and of the lengths of strings that it joins.
+  # These warnings are wrong in joined sources. Types without linkage belong to the one compiled file. g++ 12 loses track
+  # of allocations, and of the lengths of joined strings.
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-free-nonheap-object -Wno-restrict)
   endif()
@@ -116,8 +116,8 @@ function(terratact_tidy)
 endfunction()
 
 # terratact_included(<header> <variable>)
-# Sets the includes of one of our headers, including those of our headers among them, as written: <QWidget>,
-# "core/base/poll.h", …
+# Returns the includes of one of our headers, and recursively those of our headers among them. They are as written:
+# <QWidget>, "core/base/poll.h", …
 function(terratact_included header variable)
   get_property(known GLOBAL PROPERTY terratact_included_by_${header} SET)
   if(NOT known)

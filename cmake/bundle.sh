@@ -18,8 +18,8 @@ log=$out/bundle${check:+_check}.log
 . cmake/clean_root.sh
 : >"$log"
 
-# In the root, where the package is installed: fills /bundle. The programs find their files at ../share/terratact, Qt
-# finds its plugins by bin/qt.conf, and everything finds its libraries relative to itself.
+# Fills /bundle in the root, where the package is installed. The programs find their files at ../share/terratact. Qt
+# finds its plugins by bin/qt.conf. Programs and libraries find their libraries relative to themselves.
 fill_bundle() {
   inside bash -euo pipefail -c '
     mkdir -p /bundle/bin /bundle/lib/plugins

@@ -1,7 +1,8 @@
 # shellcheck shell=bash
-# Functions for scripts that work in a minimal Debian of a release, deleted at the end unless its folder is named. debootstrap makes it, from $MIRROR
-# and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. The tools
-# are installed if they are missing. If $STEPS names a file, each step adds a line to it: release, step, seconds.
+# Functions for scripts that work in a minimal Debian of a release. It is deleted at the end unless its folder is named.
+# debootstrap makes it, from $MIRROR and with the options $DEBOOTSTRAP, if set. A script that sources this file needs
+# root, and sets `log` first. Missing tools are installed. If $STEPS names a file, each step adds a line to it: release,
+# step, seconds.
 
 [ "$(id -u)" = 0 ] || { echo "$(basename "$0"): needs root, for debootstrap and chroot" >&2; exit 1; }
 cmake/setup.sh publish
@@ -13,7 +14,7 @@ sources=/usr/src/terratact  # in the root
 commit=  # of all roots that the script makes
 
 # step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits. The command runs
-# in a process of its own, because bash ignores `set -e` in a function on the left of ||.
+# in another process, because bash ignores `set -e` in a function on the left of ||.
 step() {
   local words=$1 start=$SECONDS
   shift

@@ -40,9 +40,9 @@ inline constexpr double kLowestStepLimit = 0.02, kHighestStepLimit = 0.60;
 /// Most that the robot may advance in feel forward [m].
 inline constexpr double kMaxAdvance = 0.1;
 
-/// Probe threshold [m]: a bin with a larger standard deviation asks for the arm. It is the default of
-/// Settings::probeAbove, which proposeProbe() compares (core/atem/probe/arm_choice.h). Source: section
-/// 4.4 of the paper.
+/// Probe threshold [m]: the arm is proposed for a bin with a larger standard deviation. It is the
+/// default of Settings::probeAbove, which proposeProbe() compares (core/atem/probe/arm_choice.h).
+/// Source: section 4.4 of the paper.
 inline constexpr double kProbeThreshold = 0.06;
 
 }  // namespace terratact

@@ -86,7 +86,7 @@ public:
 
 /// Requests the lines; outputs start inactive. Errors name what is missing and how to repair it.
 /// Causes: no such chip (with the list of chips), no such line, a line that another program holds,
-/// no permission. gpio_lines_v1.cpp defines it for libgpiod 1.x, gpio_lines_v2.cpp for 2.x; a
+/// no permission. gpio_lines_v1.cpp defines it for libgpiod 1.x, and gpio_lines_v2.cpp for 2.x. A
 /// program links one of them.
 Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request);
 

@@ -74,7 +74,7 @@ public:
     /// Returns the counters. dropped: frames that the log reports as lost.
     BusCounters counters() const override;
 
-    /// Returns one sentence for each remark about the log (LogReader::takeRemarks) and each
+    /// Returns one sentence for each remark about the log (LogReader::consumeRemarks) and each
     /// shortened silence.
     const std::vector<Message>& remarks() const { return remarks_; }
 

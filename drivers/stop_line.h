@@ -9,8 +9,8 @@
 namespace terratact {
 
 /// STOP from one program of this computer to another: a datagram over a Unix socket. The receiving
-/// end is a file of mode 0600, so the kernel lets only the same user and root send to it: nobody
-/// else can fill its queue. Each end also asks the kernel for the sender's user.
+/// end is a file of mode 0600. The kernel therefore lets only the same user and root send to it.
+/// Nobody else can fill its queue. Each end also asks the kernel for the sender's user.
 
 /// The receiving end, which stops the robot.
 class StopLine {
@@ -43,9 +43,10 @@ class StopCaller {
 public:
     static Result<StopCaller> open();
 
-    /// Sends STOP. Error: the program that listened at this path of 1 to 100 characters is gone
-    /// (ECONNREFUSED); there is no socket (ENOENT): the program closed its line, or something else
-    /// removed the file; or its queue is full. From now on, only that program can send to this end.
+    /// Sends STOP to the program that listens at this path of 1 to 100 characters. Afterwards, only
+    /// that program can send to this end. Errors: the program is gone (ECONNREFUSED), its queue is
+    /// full, or there is no socket (ENOENT). The last means that the program closed its line, or that
+    /// something else removed the file.
     Status press(const std::string& path);
     /// Returns true once the other end has taken it. Does not wait.
     bool isTaken();

@@ -113,7 +113,7 @@ bool haveLearntFile(const TrailData& networks, const std::string& drives)
     return hash && (*hash == networks.planeHash || *hash == networks.sideHash);
 }
 
-/// Says which drives the networks, and which scenes the model was trained on.
+/// Warns if the model was trained on some of these scenes, or the networks on some of these drives.
 void printTrained(const DriveFindings& findings, const Models& models, const std::string& drives)
 {
     printTrained(findings.trainingScenes, findings.scenes + findings.early);

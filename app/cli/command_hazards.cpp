@@ -12,7 +12,8 @@ namespace terratact {
 
 namespace {
 
-/// Prints the table of the same drives by Trail and by Local, then that of drives that turn, reverse and probe.
+/// Prints two tables. In the first, Trail and Local estimate the same drives. In the second, drives turn, reverse and
+/// probe.
 void printRemembered(const EstimatorBundle& bundle, HazardTrial trial, bool manoeuvresOnly)
 {
     const std::string manoeuvres = manoeuvreTable(tryManoeuvres(bundle, trial));

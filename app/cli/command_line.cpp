@@ -13,10 +13,10 @@
 
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
-#include "app/runtime/last_words.h"
 #include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/standard_streams.h"
+#include "app/runtime/uncaught_exception.h"
 #include "core/base/memory_limit.h"
 #include "core/store/unfinished_files.h"
 

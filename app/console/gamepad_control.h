@@ -25,7 +25,7 @@ private:
     bool holds_ = false;
 };
 
-/// Presses the window's buttons and keys for the gamepad. It has no way of its own to the robot.
+/// Presses the window's buttons and keys for the gamepad. It sends nothing to the robot itself.
 /// GUI thread only.
 class GamepadControl final : public QObject {
     Q_OBJECT

@@ -138,7 +138,7 @@ void MainWindow::addPages(const Options& options)
 {
     terrainPage_ = new TerrainPage(robot_, this);
     verdict()->setLimit(exploration_->options().stepLimit);
-    terrainPage_->addTerrainTool(header()->qualityButton());  // the header has no room
+    terrainPage_->addTerrainTool(header()->qualityButton());  // the header is too narrow
     addPage(terrainPage_, tr("Terrain"), Qt::Key_F2, tr("Terrain, exploration and arm"));
     numbers_ = new NumbersPage(
         [this] {

@@ -147,7 +147,7 @@ void MainWindow::snapshotWritten(const SnapshotFiles& files, const QString& trou
             : Message(TR_NOOP("terratact::MainWindow", "snapshot %1, beside the session"),
                       files.name().toStdString());
     log(saved, EventSeverity::Note);
-    const bool isAsking = snapshotNote_->isVisible();  // it says so
+    const bool isAsking = snapshotNote_->isVisible();  // the dialog shows the text
     if (files.session.empty() || !isAsking) notice_->show(translated(saved), steadyNow());
     snapshotNote_->setWritten(translated(saved));
 }

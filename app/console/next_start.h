@@ -18,10 +18,10 @@ struct NextStart {
 /// Returns the options of a start with another robot.
 ConsoleOptions connectedTo(ConsoleOptions options, const ConnectionWish& wish);
 
-/// Returns how to go on after a start failed, so that a console in use is not lost: with the former connection; if that
-/// failed, with the simulated robot, without an operator panel. Empty: this was the first start, or the last way.
-/// former: connection before the operator asked for another; trouble: why that other was not connected, once `failed`
-/// is the former; reason: of this failure.
+/// Returns the next start after a failed one, so that a console in use is not lost. First it is the former connection.
+/// If that fails, it is the simulated robot without an operator panel. Empty: the first start failed, or the simulated
+/// robot. former: connection before the operator chose another one. trouble: why the other one failed, if `failed` is
+/// the former one. reason: why `failed` failed.
 std::optional<NextStart> startAfter(const ConsoleOptions& failed,
                                     const std::optional<ConsoleOptions>& former,
                                     const std::optional<Message>& trouble, const Message& reason);

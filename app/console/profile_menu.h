@@ -16,7 +16,7 @@ public:
     QAction& draws() const { return *draws_; }  ///< toggles the draws
 
 signals:
-    void historyWanted();  ///< the list of estimates is asked for
+    void historyWanted();  ///< the operator chose the list of estimates
 
 private:
     void offerSecondMethods(Exploration& exploration);

@@ -63,7 +63,7 @@ SettingsFilesWindow::SettingsFilesWindow(PreferenceStore& store, Options options
     column->addWidget(result_);
     showProfiles();
     dropProposal();
-    // What was written or applied is no longer what is in force.
+    // The report of a written or applied file is outdated once a setting changes.
     connect(&store_, &PreferenceStore::changed, this, [this] { report({}, false); });
     connect(&store_, &PreferenceStore::changed, this, &SettingsFilesWindow::showChanges);
     auto* timer = new QTimer(this);

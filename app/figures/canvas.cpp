@@ -110,7 +110,7 @@ cairo_status_t renderPdf(std::string& bytes, int width, int height,
     return cairo_surface_status(surface.get());
 }
 
-/// Returns false if no font is installed. Cairo then draws letters of its own, which lack the minus sign.
+/// Returns false if no font is installed. Cairo then draws with its built-in font, which lacks the minus sign.
 bool fontExists()
 {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);

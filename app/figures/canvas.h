@@ -83,9 +83,9 @@ struct PictureText {
     std::string data;         ///< <metadata>: the numbers of the picture
 };
 
-/// Draws a picture and writes it to `path` as PNG, SVG or PDF by the file ending. width, height: [px] at 150 px per
-/// inch in PDF. The file is written under a temporary name and renamed. Errors name the file: unknown ending, or not
-/// writable. write: writes the file instead.
+/// Draws a picture and writes it to `path` as PNG, SVG or PDF by the file ending. The file is written under a temporary
+/// name and renamed. width, height: [px]; a PDF has 150 px per inch. write: writes the file instead. Errors name the
+/// file: the ending is unknown, or the file is not writable.
 Status writePicture(const std::string& path, int width, int height,
                     const std::function<void(Canvas&)>& draw, const PictureText& text = {},
                     const FileWriter& write = {});

@@ -15,7 +15,7 @@ using Wording = std::function<std::string(const Message&)>;
 /// Returns message.english().
 std::string inEnglish(const Message& message);
 
-/// Returns a name of an event, such as "approve", for translators (app/display/event_words.cpp).
+/// Returns a name of an event, such as "approve", for translators (app/display/event_names.cpp).
 Message eventName(std::string name);
 
 /// Returns the source of a session's frames, such as "SIMULATED ROBOT" or "REPLAY drive.log".

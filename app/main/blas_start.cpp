@@ -1,7 +1,7 @@
 // OpenBLAS starts a thread per processor when it is loaded, before main(). Later versions than 0.3.21 also allocate a
 // buffer then. If the memory is refused, it retries forever. This program needs none of these threads. With limited
-// memory it therefore restarts itself with an environment that limits OpenBLAS to one thread, and it refuses to start
-// without room for the buffer. Sanitizer builds do not need this.
+// memory it therefore restarts itself in an environment that limits OpenBLAS to one thread. It refuses to start if the
+// buffer does not fit in memory. Sanitizer builds do not need this.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define TERRATACT_SANITIZED

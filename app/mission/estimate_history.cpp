@@ -86,7 +86,7 @@ void EstimateHistory::addPresent()
     emit changed();
 }
 
-/// Tells the estimate before, of the same scene, what the arm has measured since.
+/// Adds the newest arm reading and the estimate's error there to the previous estimate of the same scene.
 void EstimateHistory::score(const PastEstimate& with)
 {
     if (entries_.empty() || entries_.front().scene != with.scene) return;

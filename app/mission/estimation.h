@@ -39,10 +39,9 @@ struct ModelInUse {
 };
 
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
-/// readings. Before the scene it gives live previews while the flippers move down. It enters
-/// every estimate into the strip of felt ground, which it follows along telemetry. The method trail gets what the way
-/// before the scene tells; without that, local estimates. The worker computes; answers to outdated requests are
-/// dropped. GUI thread only.
+/// readings. Before the scene it gives live previews while the flippers move down. It adds every estimate to the strip
+/// of felt ground, which follows the telemetry. The method trail gets the memory of the way before the scene; without
+/// a memory, local estimates. The worker computes. Answers to outdated requests are dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:
@@ -123,8 +122,8 @@ public:
     {
         return {estimate_.revision(), second_.revision(), live_.revision()};
     }
-    /// Returns true if the next estimate of such a line may be of both sides: roll and different flippers are then no
-    /// reason for doubt.
+    /// Returns true if the next estimate of such a line may be of both sides. Roll and different flippers then give no
+    /// warning.
     bool estimatesBothSides(const Measurement& line) const;
     /// Returns the ground felt along the way, as seen from the newest telemetry; empty while that is missing. It
     /// affects no decision.

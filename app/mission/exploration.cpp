@@ -245,8 +245,8 @@ void Exploration::advance()
     watchDrive();
 }
 
-/// Reports a drive without motion. At the end of the simulated ground, or where it is so steep that the raised flippers
-/// meet it, nothing else reports it.
+/// Reports a drive without motion. It happens at the end of the simulated ground, and at ground so steep that the
+/// raised flippers touch it. Nothing else reports it.
 void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;

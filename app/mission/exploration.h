@@ -41,7 +41,7 @@ public:
         ProbePolicy probes = ProbePolicy::Variance;
         double pressTorque = 18.0;  ///< [N m] sum of both front flippers
         double driveSpeed = 0.2;    ///< [m/s] of keys; the gate allows GateLimits::speed
-        AttitudeLimits attitude;    ///< beyond amber, feel forward does not go on
+        AttitudeLimits attitude;    ///< beyond amber, feel forward ends
         /// [s] telemetry watchdog: longer silence means a lost link.
         double linkLostAfter = kLinkLostAfter;
         double staleAfter =
@@ -123,8 +123,8 @@ public:
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
     /// Returns the best probe for the present estimate, proposed or not; empty: its gain is unknown.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
-    /// Returns why the best probe is not proposed; empty: it is, was done, was not answered in time, or would be
-    /// proposed if commands could be sent.
+    /// Returns why the best probe is not proposed. Empty if it is proposed, was done or was not answered in time. Also
+    /// empty if it would be proposed, but commands cannot be sent.
     std::optional<Message> whyNotOffered() const;
     /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }

@@ -1,4 +1,4 @@
-// Feel forward: the exploration goes on by itself while the operator holds a control.
+// Feel forward: the exploration repeats itself while the operator holds a control.
 #include <utility>
 
 #include "app/display/format.h"

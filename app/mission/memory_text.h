@@ -19,7 +19,7 @@ Message memoryText(Method wanted, const SceneMemory& memory, const TrailInUse& n
 /// Returns the same for an estimate that is there: it cannot use its memory without a current or a force.
 Message memoryText(const TwoTrackEstimate& estimate, const TrailHistory* memory);
 
-/// Returns the text with how often ground was touched again, and within the 80 % band said before.
+/// Returns the text with two counts: touches of remembered ground, and those within its 80 % band.
 /// Nothing is added before the first such touch.
 Message withLedger(const Message& words, const StripLedger& ledger);
 

@@ -39,8 +39,8 @@ public:
     std::optional<ProbeProposal> best() const;
 
     /// Proposes a place of the present estimate, which must exist; replaces the last proposal. One plane has places
-    /// only in the middle, two sides have none there. A place that the estimate lacks is replaced: the new place has
-    /// the same bin, on the side with the larger sd.
+    /// only in the middle, two sides have none there. A place that the estimate lacks is replaced by the
+    /// same bin on the side with the larger sd.
     void propose(ProbePlace place);
     void withdraw() { current_.reset(); }
 

@@ -196,7 +196,7 @@ QString frameName(const CanFrame& frame, const DbcBook* book)
     return described ? format::text(described->message.name) : SignalRowText::tr("unknown");
 }
 
-TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)
+TraceText traceText(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)
 {
     // A new reader, so that the text does not depend on earlier frames.
     const FrameWords said = frameReader(CanProtocol::Terratact, book)->read(frame, 0.0);

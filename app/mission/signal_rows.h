@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/display/signal_row.h"
-#include "app/display/trace_words.h"
+#include "app/display/trace_text.h"
 #include "app/link/dbc_book.h"
 #include "app/link/tapped_frame.h"
 
@@ -21,6 +21,6 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
 QString frameName(const CanFrame& frame, const DbcBook* book);
 
 /// Returns the texts of any frame of the bus.
-TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book);
+TraceText traceText(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book);
 
 }  // namespace terratact

@@ -17,9 +17,9 @@ struct SceneMemory {
     Message why{};                          ///< reason for an empty history
 };
 
-/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It is cleared by a break of the way, by the
-/// operator, and while a sensor that it needs is suspected. A break is a silence, a jump of the odometry or a turn
-/// (core/strip/strip_way.h).
+/// The memory of the way (core/trail/trail_record.h), fed by telemetry. A break of the way clears it: a silence, a jump
+/// of the odometry or a turn (core/strip/strip_way.h). The operator can clear it, too. It is also cleared while a
+/// sensor that it needs is suspected.
 class WayMemory {
 public:
     explicit WayMemory(const RobotModel& robot) : record_(robot) {}

@@ -64,15 +64,15 @@ SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
 std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
                                           const EstimatorBundle& bundle, const Settings& settings,
                                           double seconds, Progress& progress);
-/// The same with a progress of its own.
+/// Does the same and shows sceneProgress().
 std::vector<SceneEstimate> estimateScenes(std::span<const Scene> scenes,
                                           const EstimatorBundle& bundle, const Settings& settings,
                                           double seconds = 0.0);
 /// Returns the progress of a method over all scenes.
 Progress sceneProgress(Method method, std::size_t scenes);
 
-/// Calls work(first, part) for parts of the scenes, in order. The draws of an estimate need 90 kB, so the estimates of a
-/// large file do not fit in memory at once. first: number of the part's first scene.
+/// Calls work(first, part) for parts of the scenes, in order. first: number of the part's first scene. The draws of an
+/// estimate need 90 kB. The estimates of a large file therefore do not fit in memory at once.
 template <class AnyScene, class Work>
 void forParts(const std::vector<AnyScene>& scenes, Work work)
 {

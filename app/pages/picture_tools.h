@@ -43,8 +43,8 @@ private:
     QPointer<QMenu> menu_;
 };
 
-/// Asks for a file and saves the picture in its colours (savePicture()), without an ending as .png. An existing file is
-/// not replaced. done: gets the path and an error text, which is empty if the file was written.
+/// Asks for a file and saves the picture in its colours (savePicture()). A name without ending gets .png. An existing
+/// file is not replaced. done: gets the path and an error text; empty: the file was written.
 void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
                        std::function<void(const QString& path, const QString& trouble)> done);
 

@@ -129,7 +129,7 @@ void TerrainLayout::arrange(Layout layout, int fontScale)
 /// Returns the size [px] that the page needs in this arrangement.
 QSize TerrainLayout::needs(bool tight)
 {
-    forgetSizes(*decisions_);  // setTight() reserves their height at these letters
+    forgetSizes(*decisions_);  // setTight() reserves their height in this font
     setTight(tight);
     forgetSizes(page_);
     forgetSizes(*lowerPanel_);  // the panel may be elsewhere

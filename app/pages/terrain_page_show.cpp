@@ -111,7 +111,7 @@ RearView::Pose rearPoseOf(const TerrainViewState& viewState)
     return pose;
 }
 
-/// Returns the outline of one side: body and track in the plane of the track, flippers in that of the flippers.
+/// Returns the outline of one side. Body and track lie in the track's plane, the flippers in the flippers' plane.
 Outline sideOutline(const RobotModel& robot, const Measurement& m, Side side)
 {
     const bool isLeft = side == Side::Left;
@@ -131,8 +131,8 @@ Outline sideOutline(const RobotModel& robot, const Measurement& m, Side side)
     return outline;
 }
 
-/// Returns the side that decides the robot's answer: a blocked one, else one that is not clear, else the one with the
-/// larger probability of a step.
+/// Returns the side that decides the robot's verdict: a blocked side, else a side that is not clear. If both are alike,
+/// the larger probability of a step decides.
 Side decidingSide(const TwoTrackVerdict& verdict)
 {
     const auto rank = [](const Verdict& side) {
@@ -257,7 +257,7 @@ bool TerrainPage::showPast(const TerrainViewState& viewState)
     constexpr std::uint64_t kNoRevision = ~std::uint64_t{0};
     const auto past = viewState.past.estimate.shown();
     if (std::exchange(shownPast_, past) != past) {
-        shown_ = kNoRevision;  // the present is drawn anew afterwards
+        shown_ = kNoRevision;  // the present estimate is redrawn afterwards
         shownLive_ = shownSecond_ = std::nullopt;
         shownCount_ = 0;
         terrain_->setSecond(std::nullopt, {});

@@ -17,8 +17,8 @@
 
 namespace terratact {
 
-/// The plotted signals of a running console. Chosen signals are kept from their choice on, in fixed memory: every frame
-/// and every line of telemetry, whatever the window's rate. The add functions may be called from any thread; they
+/// The plotted signals of a running console. Chosen signals are kept from their choice on, in fixed memory. Every frame
+/// and every line of telemetry counts, independent of the window's rate. The add functions may be called from any thread; they
 /// take microseconds. Times are those of the steady clock [s].
 class LiveSignals final : public PlotSource {
 public:

@@ -29,7 +29,7 @@ public:
     /// begin, end: of the session [s]. The thread opens the file.
     SessionSignals(std::string path, const RobotModel& robot, double begin, double end);
 
-    /// Uses these DBC descriptions from now on; null: none. Payload signals are read anew.
+    /// Uses these DBC descriptions from now on; null: none. Payload signals are read again.
     void describe(std::shared_ptr<const DbcBook> book);
 
     std::vector<PlotSignal> catalogue() const override;

@@ -12,8 +12,8 @@
 
 namespace terratact {
 
-/// The signals that can be plotted: always those of telemetry, bus and estimate, and those of other devices' frames
-/// once such a frame came.
+/// The signals that can be plotted. Those of telemetry, bus and estimate are always listed, those of other devices'
+/// frames once such a frame was received.
 class SignalCatalogue {
 public:
     static constexpr std::size_t kMaxDescribed = 256;  ///< bound on described kinds of frames

@@ -23,7 +23,7 @@ public:
 
     /// Returns the rows that the next file needs. These are the model in use, and the newest scene with its estimates,
     /// proposals and answers. For arming, link, exploration and a forgotten estimate it returns the newest event. For
-    /// each active alarm and panel contact it returns the newest event, too. An override in force and a telemetry gap
+    /// each active alarm and panel contact it returns the newest event, too. An active override and a telemetry gap
     /// since the scene complete the state.
     std::vector<SessionRow> rows() const;
 

@@ -195,7 +195,7 @@ std::string whyOpen(const std::string& path, const std::string& refusal)
 }
 
 /// Returns why a session cannot stay as it is, without the file name; empty: undamaged and closed.
-/// recovery: what came of recovering it in place.
+/// recovery: result of recovering it in place.
 std::string troubleOf(const std::string& path, const Result<SessionRecovery>& recovery)
 {
     auto session = SessionReader::open(path);

@@ -33,7 +33,7 @@ struct SavedSession {
     std::vector<std::string> rest{};  ///< other losses
 };
 
-/// What became of a session whose program died.
+/// Result of closing a session whose program died.
 struct SessionRescue {
     bool recovered = false;  ///< it was closed in place; false: it was closed already
     std::string why;         ///< reason that it was copied instead; empty: it was not copied
@@ -41,9 +41,9 @@ struct SessionRescue {
 };
 
 /// Closes a session whose program died. If it is damaged, lacks its journal or is read-only, its undamaged rows are
-/// copied to a new session; what SQLite cannot read is salvaged page by page (core/log/session_salvage.h). The old file
-/// stays unchanged. out: the new session; empty: NAME-recovered.tts beside it.
-/// Errors: the session is in use, is a symbolic link, or contains no valid part; `out` exists or cannot be made.
+/// copied to a new session. Pages that SQLite cannot read are salvaged one by one (core/log/session_salvage.h). The old
+/// file stays unchanged. out: the new session; empty: NAME-recovered.tts beside it. Errors: the session is in use, is a
+/// symbolic link, or contains no valid part; `out` exists or cannot be made.
 Result<SessionRescue> rescueSession(const std::string& path, const std::string& out);
 
 }  // namespace terratact

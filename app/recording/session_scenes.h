@@ -15,9 +15,8 @@ namespace terratact {
 /// Adds the scenes of a session except those with the ids `repeated`. Left and right are averaged. The true heights are
 /// those of the source. If it did not know them, they are those that flippers or arm touched
 /// (core/infer/estimate/measured_bins.h). The readings of the arm and the settings are those of the scene's last
-/// estimate. Of a bin that both touched, the arm's height counts. Other heights stay unknown. The run is the drive that
-/// the file's name tells. robot: of the session; null: touched heights are not wanted. Throws what measureBins()
-/// throws.
+/// estimate. Of a bin that both touched, the arm's height counts. Other heights stay unknown. The run is named by the
+/// drive in the file's name. robot: of the session; null: touched heights are not wanted. Throws like measureBins().
 void addSessionScenes(const SessionReader& session, const std::set<std::int64_t>& repeated,
                       const RobotModel* robot, std::vector<Scene>& scenes);
 

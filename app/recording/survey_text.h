@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// Returns what a recording holds, in lines: its format, and of each topic type, messages, rate, longest gap, and the
-/// range of each field. Names are those of the file: untrusted.
+/// Returns what a recording holds, in lines. The first names its format. A topic has its type, messages, rate, longest
+/// gap, and the range of each field. Names are those of the file and untrusted.
 std::string surveyText(const Recording& recording, const std::vector<TopicSurvey>& surveys);
 
 }  // namespace terratact

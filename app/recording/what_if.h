@@ -23,7 +23,7 @@ Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string
 /// Returns a recorded estimate with its draws. Errors name the session's file.
 Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
-/// Recomputes the estimate of the row's scene by estimateMeasured(), like the console. It uses the
+/// What-if: recomputes the estimate of the row's scene by estimateMeasured(), like the console. It uses the
 /// session's robot and the scene's probe readings in their order. models: for that robot. Errors name the
 /// session's file; settings above requireModest() are errors. Throws Cancelled. With the row's own model
 /// and settings the result is bit-identical to the recording. This needs the same version and vector
@@ -50,8 +50,8 @@ struct BinDifference {
 /// another order of summation in a later version, cause such differences.
 inline constexpr double kLastBits = 1e-6;
 
-/// Match of two estimates. Settings count only through the verdict. If one of the two did not record its touches, as in
-/// the oldest sessions, touches and verdict are not compared.
+/// Match of two estimates. Settings count only through the verdict. The oldest sessions do not record touches; touches
+/// and verdict are then not compared.
 enum class Match {
     /// Every number of both sides, draws included, is bit-identical. Touch, missing sensors, texts, the posterior check
     /// and the verdict are equal.

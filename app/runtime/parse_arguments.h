@@ -48,7 +48,7 @@ inline void refuseUnknownWords(const CLI::App& app)
 }
 
 /// Parses the arguments, and throws for impossible numbers. Since CLI11 2.4, some of these fail while they are parsed,
-/// without a reason. An unknown word is named before what is missing: "simulat" is why there is no subcommand.
+/// without a reason. An unknown word is reported before a missing one: "simulat" is why no subcommand is found.
 inline void parseNumbers(CLI::App& app, int argc, char** argv)
 {
     try {
@@ -66,15 +66,15 @@ inline void parseNumbers(CLI::App& app, int argc, char** argv)
     refuseImpossibleNumbers(app);
 }
 
-/// Returns what CLI11 says of an error, with a reason of one line whatever arguments it quotes.
+/// Returns CLI11's message of an error as one line, whatever arguments it quotes.
 inline std::string complaintOf(const CLI::App* app, const CLI::Error& error)
 {
     return CLI::FailureMessage::simple(
         app, {error.get_name(), printable(error.what()), error.get_exit_code()});
 }
 
-/// Parses the arguments of a program. Returns the exit status if it is to end: 0 after its help or version was printed,
-/// kWrongArguments after a complaint. A complaint may quote arguments, and is printed as plain text.
+/// Parses the arguments of a program. Returns the exit status if the program must end: 0 after printing help or
+/// version, kWrongArguments after an error. The error may quote arguments, and is printed as plain text.
 inline std::optional<int> parseArguments(CLI::App& app, int argc, char** argv)
 {
     try {

@@ -156,7 +156,7 @@ void SessionBrowser::chooseFirst()
     choosesFirst_ = false;
 }
 
-/// Says how many recordings are shown, and what of the folder is not.
+/// Shows how many recordings are listed, and which files of the folder are not.
 void SessionBrowser::showState()
 {
     const int shown = sessions_->rowCount(), known = list_->rowCount();

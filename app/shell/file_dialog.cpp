@@ -22,7 +22,7 @@ QHash<QString, QString>& lastFolders()
     return folders;
 }
 
-/// Returns the path of the file to propose; empty: the wish names none.
+/// Returns the path of the file to propose; empty: none is wanted.
 QString startFile(const FileWish& wish)
 {
     const QFileInfo start(wish.start);

@@ -13,8 +13,8 @@ struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite, Folder };
     QString title;
     /// A path, a file name, or a folder for the first dialog with this title. Later dialogs with the same title begin
-    /// in the folder of their last file, and at first in documentsFolder() if only a name is given. The name of a file
-    /// to write is made unique by newFile(). Empty: the last folder of any dialog, else the working directory.
+    /// in the folder of their last file. The first dialog with a name only begins in documentsFolder(). newFile() makes
+    /// the name of a file to write unique. Empty: the last folder of any dialog, else the working directory.
     QString start{};
     QString filter{};  ///< in the format of QFileDialog
     Kind kind = Kind::Existing;

@@ -14,8 +14,8 @@ class SheetText;
 /// their tags; all other tags are shown as text. Qt would open the file an image names, even a device or a pipe.
 QString withoutResources(const QString& html);
 
-/// A text in a small window of its own. It is as large as the text needs, or scrolls. The text can be copied; Esc
-/// closes the window.
+/// A small window with a text. It is as large as the text needs, or scrolls. The text can be copied; Esc closes the
+/// window.
 class TextSheet final : public QWidget {
     Q_OBJECT
 public:

@@ -12,10 +12,10 @@ namespace terratact {
 
 class ConsoleWindow;
 
-/// A QApplication that a failing event handler of its thread ends in order, because Qt forbids exceptions through its
-/// event loop. notify() prints describeFailure() of the first std::exception, delivers no further event, and exec()
-/// returns EXIT_FAILURE. The windows are then destroyed as always: the robot is halted and the recording closed. Outside
-/// exec() and in other threads the exception is thrown on.
+/// A QApplication that ends in order if an event handler of its thread throws. Qt forbids exceptions through its event
+/// loop. notify() prints describeFailure() of the first std::exception and delivers no further event; exec() returns
+/// EXIT_FAILURE. The windows are then destroyed as usual: the robot is halted and the recording closed. Outside exec()
+/// and in other threads the exception propagates.
 class GuardedApplication final : public QApplication {
 public:
     using QApplication::QApplication;

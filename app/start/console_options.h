@@ -8,7 +8,7 @@
 
 #include "app/runtime/file_guard.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): as CLI11 has it
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
 }
 

@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-/// Prints the messages of Qt on stderr from now on, without the control characters of names that they quote. A fatal
+/// Makes Qt print its messages on stderr, without the control characters of names that they quote. A fatal
 /// message ends the program with exit code 1 and one line, instead of a core dump. Messages before windowsCanOpen()
 /// are held back, because they belong to that line.
 void printQtMessages();

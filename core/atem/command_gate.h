@@ -34,7 +34,7 @@ enum class GateRefusal : std::uint8_t {
     OverLimit,
     NotApproved,      ///< the probe is not approved
     ApprovalExpired,  ///< the approval is too old
-    OtherBin,         ///< the approval is for another bin, or for another side of it
+    OtherBin,         ///< the approval is for another bin or another side
 };
 
 /// The operator's approval of one probe.

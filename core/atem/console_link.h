@@ -29,8 +29,8 @@ struct LinkView {
 
 /// Console's end of the link. It receives the robot's frames and arms. It sends heartbeats for the
 /// robot's watchdog and repeats a drive for its dead-man. It sends nothing that the command gate
-/// refuses. It has no clock and no bus: `now` is any monotonic clock [s], and the caller must send
-/// the returned frames at once.
+/// refuses. It has no clock and no bus. `now` is any monotonic clock [s]. The caller must send the
+/// returned frames at once.
 class ConsoleLink {
 public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s] between heartbeats
@@ -55,7 +55,7 @@ public:
     std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
 
     /// Reports that window and panel have both responded now. After 0.1 s without a report a drive is
-    /// halted. The robot is also disarmed if anything moves or was commanded to move; a latched STOP
+    /// halted. The robot is also disarmed if anything moves or was commanded to move. A latched STOP
     /// and an unknown status count as moving. Otherwise only commands are refused, for up to 1 s:
     /// heartbeats continue, and the robot stays armed.
     void operatorAlive(double now);
@@ -74,9 +74,8 @@ public:
     struct Waits {};
 
     /// Returns the frame of a command, or the reason of a refusal. tick() repeats a drive until
-    /// another command comes. Stop stays latched until ReleaseStop is sent. It also ends if
-    /// ReleaseStop is refused because a robot over a good link is not stopped. wantArming() arms;
-    /// send() does not.
+    /// another command comes. Stop stays latched until ReleaseStop is sent, or is refused because a
+    /// robot over a good link is not stopped. send() never arms; wantArming() does.
     std::variant<CanFrame, GateRefusal, Waits> send(const Command& command, double now);
 
     /// Returns the frames that are due. Must be called at least every 20 ms.

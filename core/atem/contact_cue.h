@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// Audible cue of a contact: short ticks whose pitch tells the element, and whose rate tells the force.
+/// Audible cue of a contact: short ticks. Their pitch stands for the element, their rate for the force.
 struct ContactTone {
     double pitch = 0.0;   ///< [Hz]
     double period = 0.0;  ///< [s] between two ticks

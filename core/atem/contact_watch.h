@@ -38,17 +38,17 @@ struct FlipperContacts {
 
 /// Finds contacts along telemetry, with hysteresis. A contact of an element begins above the
 /// threshold, as in reconstructContacts(). It ends below
-///   max(threshold / 2, threshold − kLoadThreshold)
-/// kLoadThreshold (core/infer/estimate/touch.h) is three standard deviations of an element's noise, so
-/// that noise does not end a contact. It has no clock.
+///   max(threshold / 2, threshold − kLoadThreshold).
+/// kLoadThreshold (core/infer/estimate/touch.h) is three standard deviations of an element's noise.
+/// Noise therefore does not end a contact. The watch has no clock.
 class ContactWatch {
 public:
     /// threshold: [N]. Throws std::invalid_argument unless it is finite and ≥ 0.
     explicit ContactWatch(double threshold) { setThreshold(threshold); }
     void setThreshold(double threshold);
 
-    /// Reads the next line of telemetry. A line that does not follow the one before within
-    /// kMaxSilence begins anew: it has no contact below the threshold.
+    /// Reads the next line of telemetry. A line later than kMaxSilence after the one before resets
+    /// the hysteresis: it has no contact below the threshold.
     const FlipperContacts& add(const Measurement& line);
     const FlipperContacts& state() const { return state_; }
     void clear();  ///< there is no fresh telemetry

@@ -15,14 +15,14 @@ inline constexpr double kAdvance = kMaxAdvance;
 /// Way and time of one feel forward.
 struct LoopPace {
     double began = 0.0;             ///< [s]
-    std::optional<double> ended{};  ///< [s] empty: it goes on
+    std::optional<double> ended{};  ///< [s] empty: feel forward is running
     double way = 0.0;               ///< [m] way of the tracks, by odometry
 
     /// Returns the pace [m/min] up to its end, or up to `now` [s]; 0 in its first instant.
     double metresPerMinute(double now) const;
 };
 
-/// What is known at a pose before an advance.
+/// Conditions of an advance at a pose.
 struct FeltAhead {
     std::optional<TwoTrackVerdict> verdict;  ///< of the scene at this pose; empty: none
     bool telemetryFresh = false;

@@ -9,9 +9,9 @@ namespace terratact {
 
 /// Reason why feel forward ended. A reason from Stale on forbids the next advance at this pose.
 enum class LoopEnd : std::uint8_t {
-    None,           ///< it goes on, or was never requested
-    LetGo,          ///< the dead-man control was let go
-    Aborted,        ///< the operator ended it, or asked for something else
+    None,           ///< feel forward is running, or was never requested
+    LetGo,          ///< the dead-man control was released
+    Aborted,        ///< the operator aborted it, or gave another command
     Stop,           ///< STOP
     Fault,          ///< see AtemState::failure
     ProbeProposed,  ///< a probe would decide: the operator is asked

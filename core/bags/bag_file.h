@@ -21,8 +21,8 @@ public:
 
     void goTo(std::uint64_t offset);
 
-    /// Reads exactly `count` bytes into `into` and goes on behind them. Returns false if the file has
-    /// fewer bytes or `count` is above `most`; then nothing is read.
+    /// Reads exactly the next `count` bytes into `into`. Returns false and reads nothing if the file has
+    /// fewer bytes or `count` is above `most`.
     bool read(std::uint64_t count, std::uint64_t most, std::string& into);
 
 private:

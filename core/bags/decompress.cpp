@@ -16,7 +16,7 @@ namespace {
 
 using Piece = std::array<char, std::size_t{64} * 1024>;
 
-/// What came out, and how much may.
+/// Decompressed bytes, with an upper bound.
 class Expanded {
 public:
     Expanded(std::string& into, std::size_t packed)
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Adds what came out of one step. Returns false if that is too much.
+    /// Adds the output of one step. Returns false if it exceeds the bound.
     bool add(const char* piece, std::size_t size)
     {
         if (size > most_ - into_.size()) return false;

@@ -53,8 +53,7 @@ public:
     /// Returns the topics found so far. Files without an index name their topics among the messages.
     const std::vector<RecordedTopic>& topics() const { return topics_; }
 
-    /// Reads only these topics from now on; parts of the file without them are skipped where an index
-    /// allows it.
+    /// Selects the topics to read; parts of the file without them are skipped if it has an index.
     void select(std::set<std::string> names) { selected_ = std::move(names); }
 
     /// Goes to the next message of a selected topic. Messages are not in the order of their times.

@@ -6,10 +6,10 @@
 
 namespace terratact {
 
-/// Returns true if the system may refuse memory to this process. Causes are a limit of its address
-/// space (ulimit -v) or data (ulimit -d), and a kernel without overcommit (vm.overcommit_memory =
-/// 2). It allocates nothing and may be called before main(). It returns false where the system
-/// offers no such query.
+/// Returns true if the system may refuse memory to this process. One cause is a limit of its address
+/// space (ulimit -v) or data (ulimit -d). The other is a kernel without overcommit
+/// (vm.overcommit_memory = 2). It allocates nothing and may be called before main(). It returns
+/// false where the system offers no such query.
 bool memoryIsLimited();
 
 /// Returns a sentence for the user. It names the need of `forWhat`, the use and the limit of this

@@ -31,7 +31,8 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Returns the line below all gaps that is highest at x, an edge of their lower hull, raised by what noise lowers it.
+/// Returns the line below all gaps that is highest at x: an edge of their lower hull. Noise lowers a hull, so it is
+/// raised by the expected amount.
 GapLine lineBelow(std::vector<CloudGap> gaps, double x)
 {
     std::ranges::sort(gaps, {}, &CloudGap::x);

@@ -39,8 +39,8 @@ struct CellGround {
 /// least 0.35 m. The lower level counts if it has a tenth of them: the robot drives under the other
 /// one. A near cell without the lower level is unknown. The height is the percentile of the rest;
 /// its sd is
-///   s √(p (1 − p)) / φ(Φ⁻¹(p)) / √n
-/// with the sample's sd s, which of cells with fewer than four points is the line's median.
+///   s √(p (1 − p)) / φ(Φ⁻¹(p)) / √n.
+/// s is the sample's sd. In cells with fewer than four points it is the line's median sd.
 std::vector<CellGround> groundOf(const SceneGrid& grid, const RobotModel& robot, std::size_t place,
                                  TruthLine line, const CloudCorrection& correction,
                                  const TruthRule& rule);
@@ -56,8 +56,8 @@ using SideTruth = std::array<BinTruth, kBins>;
 
 /// Returns the heights of one side: bins −0.3 … 0.2 m on the track's line, from 0.3 m on that of the flippers. A bin
 /// is known if at least three of its cells are, and its sd is at most maxSd. Cells without points have the height
-/// between their neighbours. Their sd d is half of these neighbours' difference, or 5 cm where a neighbour is more
-/// than a bin away. The sd's square is
+/// between their neighbours. Their sd d is half of these neighbours' difference. It is 5 cm if a neighbour is more than
+/// a bin away. The sd's square is
 ///   placeSd² + (Σ sd_cell² + (Σ d)²) / 25
 SideTruth sideTruth(const SceneGrid& grid, const RobotModel& robot, std::size_t place, Side side,
                     const CloudCorrection& correction, const TruthRule& rule);

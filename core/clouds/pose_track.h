@@ -16,8 +16,8 @@ namespace terratact {
 /// Pose of a frame in the cloud's frame, which has z up.
 using CloudPose = FramePose;
 
-/// Reads "x y z roll pitch yaw" in m and degrees, turned about z, then y, then x as ROS does (REP 103).
-/// Empty unless it spells six finite numbers.
+/// Reads "x y z roll pitch yaw" in m and degrees. It turns about z, then y, then x, like ROS (REP 103).
+/// Empty unless the text is six finite numbers.
 std::optional<CloudPose> mountFrom(std::string_view text);
 
 /// Limits of poses that are one drive.

@@ -38,7 +38,8 @@ struct CellRange {
     std::size_t begin = 0, end = 0;
 };
 
-/// Returns the cells k whose first + k · step may lie within low … high, with one more at both ends for rounding.
+/// Returns the cells k whose first + k · step may lie within low … high. Rounding adds one at both
+/// ends.
 CellRange cellsWithin(double first, double step, double low, double high, std::size_t cells)
 {
     constexpr double kLevel = 1e-9;  // [m] of a step: the line is parallel to the part

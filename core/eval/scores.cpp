@@ -26,8 +26,8 @@ std::vector<double> sortedDraws(const TerrainEstimate& estimate, std::size_t bin
     return values;
 }
 
-/// Returns sorted draws of what a measurement with this sd reads. The parts of N(0, sd²) are its quantiles, spread over
-/// the draws by the golden ratio, so that every stretch of draws has all of them.
+/// Returns sorted draws of a measurement with this sd. The errors are quantiles of N(0, sd²). The golden ratio spreads
+/// them over the draws, so that every stretch of draws gets all of them.
 std::vector<double> measured(std::vector<double> sorted, double sd)
 {
     constexpr double kGolden = 0.6180339887498949;

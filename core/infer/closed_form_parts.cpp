@@ -30,7 +30,7 @@ SurfaceReading surfaceReading(const MeasuredHeight& measured, double ceiling)
     return {y, std::abs(toSurface(height - measured.sd, ceiling) - y)};
 }
 
-/// Returns what a reading of the arm tells of a hazard (hazardProbability()).
+/// Returns the hazard that a reading of the arm indicates, by hazardProbability().
 MeasuredHazard hazardBy(const GaussianMixture& distribution, int i, std::size_t bin,
                         const MeasuredHeight& measured, double ceiling, double rate)
 {
@@ -49,7 +49,7 @@ MeasuredHazard hazardBy(const GaussianMixture& distribution, int i, std::size_t 
     return hazard;
 }
 
-/// A hazard more probable than this explains a reading: it tells nothing of the other bins.
+/// A hazard more probable than this explains a reading, which then does not affect the other bins.
 constexpr double kSurelyHazard = 0.95;
 
 /// Conditions the distribution of one bin's surface coordinate.

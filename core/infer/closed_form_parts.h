@@ -33,8 +33,8 @@ void writeRemembered(TerrainEstimate& estimate, const EarlierTouch& earlier,
 
 /// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
 /// ceilings must be known. contact: error of a contact; empty: contacts act through the inputs alone.
-/// Returns the hazards that the arm may have found ahead, now or earlier. A reading that almost
-/// surely tells of a hazard does not condition the mixture: the hazard explains it.
+/// Returns the hazards that the arm may have found ahead, now or earlier. A reading that is almost
+/// surely a hazard's does not condition the mixture.
 std::vector<MeasuredHazard> applyMeasurements(GaussianMixture& distribution, int first,
                                               MeasuredBins measured,
                                               const std::optional<ContactError>& contact,

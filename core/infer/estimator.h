@@ -35,16 +35,16 @@ struct Models {
     std::shared_ptr<const TrailModel> trail{};
 };
 
-/// Makes all Gaussian processes that a sampling method may ask for in any scene; none for a closed
+/// Makes all Gaussian processes that a sampling method may need in any scene; none for a closed
 /// form. Throws std::invalid_argument if one cannot be made, after making the others; throws
 /// Cancelled.
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
 /// Estimates one scene by settings.method. The method Trail uses `history`; without it, or without
-/// models.trail, Local estimates and a warning says so. In place of Trail, it uses what the arm measured
+/// models.trail, Local estimates with a warning. In place of Trail, it uses what the arm measured
 /// earlier (earlierArm() of core/infer/trail_form.h). If s lacks currents or forces that the method
 /// uses, methodWithout() chooses the method (core/infer/estimate/missing_sensors.h).
-/// TerrainEstimate::missing and its warnings then say what is missing.
+/// TerrainEstimate::missing and its warnings then name the missing features.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for settings out of range. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,

@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// Prepares one scene as in the paper (sections 4.2 and 4.3) for sampleScene(), or for a caller that
-/// samples several scenes at once (EstimateBatch). Contacts and arm readings are fixed, the other
+/// Prepares one scene as in the paper (sections 4.2 and 4.3). The caller is sampleScene(), or samples
+/// several scenes at once (EstimateBatch). Contacts and arm readings are fixed, the other
 /// bins are sampled. models: of the feature set that settings.method uses, or of Pa, which needs no
 /// current and no force. The result refers to them. The same scene, models and settings give the
 /// same estimate, bit for bit on one machine.

@@ -5,10 +5,10 @@
 
 namespace terratact {
 
-/// Estimates both sides of one scene by settings.method, Joint or Local. A scene that is symmetric
-/// within its sensors' noise (isSymmetric(), core/robot/side_plane.h) is estimated as one plane,
-/// from both sides' means. That is not so if the arm measured something; TwoTrackEstimate::onePlane
-/// tells. Otherwise models.sides estimates it. Any current or force may be missing, of one side or
+/// Estimates both sides of one scene by settings.method, Joint or Local. A symmetric scene without
+/// readings of the arm is estimated as one plane, from both sides' means. Symmetric means within the
+/// sensors' noise (isSymmetric(), core/robot/side_plane.h). Otherwise models.sides estimates it.
+/// TwoTrackEstimate::onePlane holds which. Any current or force may be missing, of one side or
 /// both. The processes are then trained without it (reduced_clearances.h), and the bands widen.
 /// Throws RefusedInput if the model has no two-track part and the scene needs it. It refuses a
 /// differential that has turned, too: features describe a locked one. Throws std::invalid_argument
@@ -17,7 +17,7 @@ TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& ar
                                    const RobotModel& robot, const Models& models,
                                    const Settings& settings, const Watch& watch = {});
 
-/// Returns true if the line tells left and right: every known mean of a force has a known side.
+/// Returns true if the line holds both sides: every known mean of a force has a known side.
 /// Sessions of versions 1 to 3, files of scenes and some sources have means only.
 bool hasSides(const Measurement& line);
 
@@ -32,7 +32,7 @@ bool allowsBothSides(const Measurement& line, Method method);
 /// reading of the arm on a side makes a symmetric scene one of both sides. Otherwise it is estimated
 /// as one plane by estimateTerrain() with warnIfNotPlanar(); sides do not count there. A scene that
 /// only its method or its differential makes one plane gets a warning. Both sides ignore a reading in
-/// the middle, which is of neither line, and say so in a warning. Throws as estimateTerrain().
+/// the middle, which is of neither line, with a warning. Throws like estimateTerrain().
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
                                   const RobotModel& robot, const Models& models,
                                   const Settings& settings, const Watch& watch = {},

@@ -10,10 +10,10 @@
 namespace terratact {
 
 /// The strip of felt ground at a moment of a session. It comes from the file alone (core/log/session_strip.h). A strip
-/// that begins with the session is whole: it is the one that the console showed. Following a long session from its
-/// begin takes time, so readOn() does that in parts and keeps the strip every kStep, or less often in a session of
-/// more than kWholes · kStep. Until it has come near a moment, the moment's strip begins kMinLength to kMinLength +
-/// kStep before it. That strip differs from the whole one in three points:
+/// that begins with the session is whole: it is the one that the console showed. Reading a long session from its begin
+/// takes time. readOn() therefore reads in parts and keeps the strip every kStep. In a session of more than
+/// kWholes · kStep it keeps fewer. Until it has come near a moment, the moment's strip begins kMinLength to kMinLength + kStep
+/// before it. That strip differs from the whole one in three points:
 ///   ground       ground felt before the begin is missing
 ///   correction   scenes before the begin do not correct the way
 ///   ledger       is left out, because touches before the begin would be missing

@@ -38,7 +38,8 @@ struct SessionVerification {
 /// A session that was not closed is read with its journal, even if its folder is write-protected.
 /// If the journal is missing, only the file is read, and damage() names what is missing.
 ///
-/// refresh() reads on in a file that is still being written. One thread at a time may use a reader.
+/// refresh() reads new rows of a file that is still being written. One thread at a time may use a
+/// reader.
 class SessionReader {
 public:
     static constexpr std::int64_t kMaxChecked = std::int64_t{64} << 20U;  ///< bytes: 0.3 s

@@ -13,8 +13,8 @@ namespace terratact {
 
 /// The strip of felt ground (core/strip/strip.h) of a session, computed from the file alone. It uses telemetry, scenes,
 /// and the estimates that the console showed. Estimates of a second method are left out. An estimate that the operator
-/// cleared is taken out. A new section begins when remembered ground is cleared, when another model is loaded, and when
-/// this object's sensor watch suspects the odometry or the pitch.
+/// cleared is taken out. A new section begins when remembered ground is cleared or another model is loaded. It also
+/// begins when this object's sensor watch suspects the odometry or the pitch.
 class SessionStrip {
 public:
     /// from: all rows up to this time are left out. The reader must outlive this object.

@@ -15,8 +15,8 @@ struct ClockStep {
     std::uint64_t shift = 0;  ///< what is added to later times [ns], modulo 2^64
 };
 
-/// Returns how far a time lies before the one ahead of it [s], if the clock was set between them:
-/// more than 1 s back, or more than ten years forward.
+/// Returns how far the clock was set back between two successive times [s]; negative: forward. Empty
+/// unless it is more than 1 s back, or more than ten years forward.
 std::optional<double> clockStepBetween(std::int64_t before, std::int64_t time);
 
 /// Makes the times of series even that were recorded while the clock was set. All series share

@@ -18,7 +18,7 @@ Status readTransforms(Recording& recording, TransformTree& transforms);
 /// A pose at a time of the mapping.
 struct SentPose {
     std::int64_t time =
-        0;  ///< [ns]: header.stamp if the mapping says so, else when it was recorded
+        0;  ///< [ns]: header.stamp if the mapping selects it, else the recorder's time
     FramePose pose{};
 };
 

@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// Returns what is doubtful about a recording under a mapping, one sentence each:
+/// Returns warnings about a recording under a mapping, one sentence each:
 ///   - gaps of more than Mapping::maxGap in a topic;
 ///   - topics whose header.stamp differs from the recorder's time by more than 1 s, or by more than
 ///     0.1 s from that of another topic;
@@ -23,7 +23,7 @@ Result<std::vector<std::string>> checkRecording(const std::string& path, const M
                                                 const RobotModel& robot,
                                                 const RecordingWatch& watch = {});
 
-/// Returns those doubts that make the numbers of an import wrong: units of angles, and clocks that
+/// Returns the warnings that make the numbers of an import wrong: units of angles, and clocks that
 /// differ from the recorder's.
 std::vector<std::string> importWarnings(const RecordedSeries& series, const Mapping& mapping);
 

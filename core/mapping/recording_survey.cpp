@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxOffsets = 10'000;  ///< stamps whose median is taken
 
-/// What is counted of one topic.
+/// Counts the messages of one topic.
 class TopicCounter {
 public:
     void add(const RecordedMessage& message)

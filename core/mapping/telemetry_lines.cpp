@@ -159,7 +159,7 @@ private:
     std::vector<SeriesAt> forces_;
 };
 
-/// Says what the robot did where it did not say so itself.
+/// Sets the activity of lines by motion and by the rule of presses.
 void addActivity(std::vector<TelemetryLine>& lines, const PressRule& rule)
 {
     const std::vector<bool> moved = movedAt(lines, rule);

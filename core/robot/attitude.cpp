@@ -18,7 +18,7 @@ Vec2 along(const FlipperGeometry& flipper, double angle, double distance)
     return {flipper.pivot.x + distance * axis.x, flipper.pivot.z + distance * axis.z};
 }
 
-/// Returns the limits in force on a side that tips over at this angle.
+/// Returns the active limits on a side that tips over at this angle.
 AttitudeLimits limitsInForce(double tips, const AttitudeLimits& limits)
 {
     return {.amber = std::min(limits.amber, std::abs(tips) - kAmberReserve),

@@ -15,7 +15,7 @@ struct TipOver {
     /// Over the tracks' front end, or over the tips of lowered front flippers.
     double noseDown = 0.0;
     double leftUp = 0.0;   ///< over the right track's outer edge, RobotModel::halfWidth away
-    double rightUp = 0.0;  ///< over the left track's outer edge; the body's centre may lie aside
+    double rightUp = 0.0;  ///< over the left track's outer edge; the body may be off-centre
 };
 TipOver tipOver(const RobotModel& robot, double front, double rear);
 
@@ -37,17 +37,17 @@ struct Attitude {
     AttitudeLevel pitch = AttitudeLevel::Level, roll = AttitudeLevel::Level;
     /// Angles at which it tips over on that side [rad], with the sign of the angle.
     double pitchTips = 0.0, rollTips = 0.0;
-    /// Limits in force of |pitch| and |roll| on that side [rad].
+    /// Active limits of |pitch| and |roll| on that side [rad].
     AttitudeLimits pitchLimits{}, rollLimits{};
     bool beyondTipping = false;  ///< pitch or roll is beyond the angle at which the robot tips over
     AttitudeLevel worst() const { return pitch > roll ? pitch : roll; }
     bool operator==(const Attitude&) const = default;
 };
 
-/// Returns the levels of pitch and roll, and the limits in force. Red begins at the smaller of
-/// limits.red and tip-over − kRedReserve, amber at the smaller of limits.amber and tip-over −
-/// kAmberReserve. Amber and red alarm and end feel forward. Beyond tip-over no exploration begins;
-/// drive keys still act.
+/// Returns the levels of pitch and roll, and the active limits. Red begins at the smaller of
+/// limits.red and tip-over − kRedReserve. Amber begins at the smaller of limits.amber and tip-over −
+/// kAmberReserve. Amber and red raise an alarm and end feel forward. Beyond tip-over no exploration
+/// begins; drive keys still act.
 Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits);
 
 }  // namespace terratact

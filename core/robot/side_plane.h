@@ -7,13 +7,13 @@
 
 namespace terratact {
 
-// One side of a robot with two tracks, seen as a robot on one plane. What is known of one plane
-// (ceilings, contacts, felt bins) then holds for the side's vertical plane.
+// One side of a robot with two tracks, seen as a robot on one plane. The functions for one plane
+// (ceilings, contacts, felt bins) then hold for the side's vertical plane.
 
-/// Returns the robot whose poseInDem() is the pose of a vertical plane along the robot: only the
-/// IMU's place differs,
-///   z' = z cos φ − sideLift(y, φ)
-/// so that the base lies as in sidePose() with a locked differential. y: signed [m], left positive;
+/// Returns the robot whose poseInDem() is the pose of a vertical plane along the robot. Only the
+/// IMU's place differs:
+///   z' = z cos φ − sideLift(y, φ).
+/// The base therefore lies as in sidePose() with a locked differential. y: signed [m], left positive.
 /// roll φ: [rad]. The DEM frame keeps its origin: the robot's IMU.
 RobotModel inSidePlane(const RobotModel& robot, double roll, double y);
 
@@ -30,7 +30,7 @@ bool isSymmetric(const TwoTrackReadings& s);
 inline constexpr double kSymmetricSd = 3.0;
 
 /// Returns true if a track differential has turned: by more than kTurnedDifferential, which is beyond
-/// its sensor's noise. Empty: it is locked. Each track then has a pitch of its own.
+/// its sensor's noise. If it has, the tracks' pitches differ. Empty: it is locked.
 bool hasTurned(const std::optional<double>& differential);
 inline constexpr double kTurnedDifferential = 0.02;  // [rad]
 

@@ -35,8 +35,8 @@ const toml::array& tomlArray(const toml::node& node, std::string_view key, std::
                              std::size_t most);
 Message tomlLine(const toml::node& node);  ///< "line 7"
 
-/// One table of the file. Every key that is asked for must exist; refuseUnknown() refuses all other
-/// keys. Throws TomlRefused.
+/// One table of the file. Every key that is read must exist; refuseUnknown() refuses all other keys.
+/// Throws TomlRefused.
 class TomlSection {
 public:
     TomlSection(const toml::table& table, std::string prefix);

@@ -34,7 +34,7 @@ constexpr double signOf(Side side)
     return side == Side::Left ? 1.0 : -1.0;
 }
 
-/// Pose of a robot with two tracks. The body's frame is rolled about its x axis, and then pitched
+/// Pose of a robot with two tracks. The body's frame is rolled about its x axis. Then it is pitched
 /// about the y axis of the frame along gravity.
 struct TwoTrackPose {
     Vec2 base;                      ///< base origin, frame along gravity [m]

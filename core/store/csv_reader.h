@@ -20,8 +20,8 @@ namespace terratact {
 ///            So are such lines below a header that have another number of fields. A DOS Control-Z ends
 ///            the file.
 ///   numbers  They have a decimal point. If no comma separates fields, a decimal comma is also read, but
-///            not both in one file. Where a comma separates fields, a decimal comma makes one field too
-///            many, and the error asks about it.
+///            not both in one file. If commas separate fields, a decimal comma makes one field too many.
+///            The error mentions it.
 ///   bytes    UTF-8, with or without a byte order mark.
 /// Errors name file, line and cause.  Holds no more than the text and one record's fields.
 ///
@@ -53,9 +53,9 @@ public:
     /// number of fields, and a wrong unit.
     Result<bool> next();
 
-    /// Gives fields of the current record, the header, the names that they mean: those that differ from
-    /// one of `names` only by the case of letters and by blanks of any kind around them. Returns a
-    /// sentence for each field that it changed.
+    /// Corrects fields of the current record, the header. A field becomes one of `names` if only upper
+    /// or lower case and blanks around it differ. Blanks may be of any kind. Returns a sentence for each
+    /// field that it changed.
     std::vector<Message> adoptNames(const std::vector<std::string_view>& names);
 
     /// Makes the current record the header, without empty fields at its end. All later records have

@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 11> kFormulaBegins{
     "=",           "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D",
     "\xEF\xBC\xA0"};
 
-/// Where cells end for a program that does not separate at commas, and so takes our quotes for
-/// letters. At commas they hold.
+/// Where cells end in a program that does not separate at commas. It reads our quotes as text. Cells
+/// between commas are protected by their quotes.
 constexpr std::string_view kCellEnds = ";\t\r\n";
 
 /// Returns true if the text behind any apostrophes, quotes and spaces begins a formula. A text that

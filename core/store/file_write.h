@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// Permissions of what is written.
+/// Permissions of a written file.
 enum class Access {
     Everybody,   ///< a new file has what the umask allows; a replaced one keeps its permissions
     Owner,       ///< a new file is for its owner alone whatever the umask; a replaced one as above
@@ -16,8 +16,8 @@ enum class Access {
 
 /// Returns Done if an output path leads through no symbolic link of somebody else. The output itself
 /// must not be a link at all, so that nothing is written through it. A folder above it may be a link
-/// of this user or of root. /dev/stdout, /dev/stderr and the numbers in /dev/fd and /proc/self/fd
-/// are links of the kernel and pass; no other spelling does. Errors name the link.
+/// of this user or of root. Links of the kernel pass under these names only: /dev/stdout, /dev/stderr
+/// and the numbers in /dev/fd and /proc/self/fd. Errors name the link.
 Status checkLinks(const std::string& path);
 
 /// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:
@@ -29,13 +29,13 @@ Status checkLinks(const std::string& path);
 Status checkReplaceable(const std::string& path);
 
 /// Atomic replacement of a file. The content is written under a temporary name in the same
-/// directory. commit() renames it, so readers find the old file, or none, or the whole new one.
-/// Without commit() the temporary file is removed.
+/// directory. commit() renames it, so readers never find a part of the new file. Without commit() the
+/// temporary file is removed.
 class NewFile {
 public:
     /// Creates the empty temporary file. Errors name the file: its directory does not exist or is
-    /// not writable, or checkReplaceable() refuses the file at `path`. A file may hold recorded data,
-    /// so only what is made for passing on is for everybody.
+    /// not writable, or checkReplaceable() refuses the file at `path`. A file may hold recorded data.
+    /// Only files that are made to be passed on are therefore for everybody.
     static Result<NewFile> begin(const std::string& path, Access access = Access::Owner);
 
     /// Creates the temporary file with this content, flushed to the disk. Errors: as begin(), or the

@@ -302,7 +302,7 @@ void SqliteFile::requireNothingBeside(const std::string& path)
 void SqliteFile::makeEmpty(const std::string& path)
 {
     std::error_code none;
-    if (!std::filesystem::exists(path, none)) requireNothingBeside(path);  // else that says so
+    if (!std::filesystem::exists(path, none)) requireNothingBeside(path);  // else open() fails
     const int made =
         ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (made < 0)

@@ -24,10 +24,10 @@ public:
 
     /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
     /// the structure on request. A file in WAL mode is still being written, or its writer died. It
-    /// is read with the journal beside it, if there is one, even from a write-protected folder. A
-    /// file of another user is read without a trace, because its owner could not write an index
-    /// that this user made. Texts and blobs have at most `longest` bytes, and grantPasses()
-    /// bounds all values and steps together: one pass, until it is called.
+    /// is read with the journal beside it, if there is one, even from a write-protected folder. No
+    /// index is written beside a file of another user, because its owner could not write to it.
+    /// Texts and blobs have at most `longest` bytes. grantPasses() bounds all values and steps
+    /// together: one pass, until it is called.
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Opens a log as openLog(), but leaves no file beside it. It disturbs no writer, not even one
@@ -82,11 +82,11 @@ public:
     /// Restarts the count of steps that limits the statements of a file of openUntrusted().
     void grantSteps();
 
-    /// Limits all statements of a log from now on to `times` passes over file and journal. A pass
-    /// returns as many bytes as they have, and takes a step for each of these bytes. 10 million
-    /// further steps are allowed. Beyond that a SqliteError is thrown, because rows that share pages
-    /// could return and visit far more than the file holds. SQLite counts all rows of a table, `SELECT count(*) FROM
-    /// table`, in a single step, which no limit ends: step through the rows instead.
+    /// Limits all further statements of a log to `times` passes over file and journal. A pass returns
+    /// as many bytes as they have, and takes a step for each of these bytes. 10 million further steps
+    /// are allowed. Beyond that a SqliteError is thrown: rows that share pages could return far more
+    /// than the file holds. SQLite executes `SELECT count(*) FROM table` in a single step, which no
+    /// limit ends. Step through the rows instead.
     void grantPasses(int times);
 
     /// Returns the bytes of a log and its journal at the last call of grantPasses().

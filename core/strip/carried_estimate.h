@@ -39,8 +39,8 @@ public:
     static constexpr double kTilt = 0.35;  ///< [rad]
     static constexpr double kTurn = 0.10;  ///< [rad]
 
-    /// scene: the telemetry that the estimate rests on. It may be old: the robot stands still while
-    /// estimates and probes take their time.
+    /// scene: the telemetry behind the estimate. It may be old, because the robot does not move during
+    /// estimates and probes.
     EstimateCarrier(const RobotModel& robot, const TerrainEstimate& estimate,
                     const Measurement& scene);
 

@@ -29,7 +29,7 @@ struct EnteredBin {
     StripBin bin;
 };
 
-/// Returns the columns between the first and the last bin centre of an estimate at `imu` [m] in the section's frame.
+/// Returns the columns between the first and the last bin centre of an estimate. imu: [m] in the section's frame.
 /// Heights and bands are interpolated linearly between two bins. That is exact where the ground of the two bins is
 /// level. A step within a bin gives an error of up to a quarter of the two bins' difference. Therefore the sd grows by
 /// |difference| · share · (1 − share).

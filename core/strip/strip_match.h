@@ -14,7 +14,7 @@ struct MatchedBin {
     double variance = 0.0;    ///< [m²] of the difference, without the pose's error
 };
 
-/// Correction of a pose, and what stays uncertain of it.
+/// Correction of a pose, and its uncertainty.
 struct PoseOffset {
     Vec2 mean;  ///< [m]
     PoseCovariance covariance;

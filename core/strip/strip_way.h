@@ -27,7 +27,7 @@ struct WayLimits {
 };
 
 /// The way of the robot, by dead reckoning between the scenes. Each scene corrects it by the ground that it shares
-/// with the scenes before. A break begins a new segment, which has a frame of its own.
+/// with the scenes before. A break begins a new segment with a new frame.
 class StripWay {
 public:
     /// Sums since the begin of a segment, up to the last scene that was entered.

@@ -13,21 +13,21 @@ namespace terratact {
 inline constexpr std::size_t kTrailPlaces = 10;
 inline constexpr double kTrailPlaceStep = 0.1;  ///< [m]
 
-/// Length of the way before a scene that a history tells of [m].
+/// Length of the way before a scene that a history covers [m].
 inline constexpr double kTrailReach = 1.2;
 
-/// Bins of which a history tells where the robot passed and pressed: −0.3 … 0.5 m.
+/// Bins for which a history holds where the robot passed and pressed: −0.3 … 0.5 m.
 inline constexpr std::size_t kTrailBins = 9;
 
 /// Vertical planes of a history: the middle of the robot, its left and its right side. `lowest` of a
 /// side is in the plane of its track, `pressed` in that of its flipper.
 inline constexpr std::size_t kTrailPlanes = 3;
 
-/// What the way before a scene tells of the ground in one vertical plane. Heights are in the DEM
-/// frame of the scene [m], carried by dead reckoning.
+/// Memory of the way before a scene in one vertical plane. Heights are in the DEM frame of the scene
+/// [m], carried by dead reckoning.
 struct TrailGround {
-    /// Mean over the bin of the lowest place of the robot that passed above it; +infinity: the robot
-    /// did not pass above all of it.
+    /// Mean over the bin of the lowest position of the robot above it; +infinity: the robot did not
+    /// pass above the whole bin.
     std::array<double, kTrailBins> lowest{};
     /// Load of the force elements that pressed near the bin at earlier scenes [N]. Each force
     /// counts by 1 at the bin's centre, falling linearly to 0 at 0.1 m.
@@ -35,7 +35,7 @@ struct TrailGround {
     std::array<double, kTrailBins>
         pressed{};  ///< mean height of these elements by load; 0 without load
     /// Parts of these bins that the front flippers felt at earlier scenes (pressedStretches()). Of the
-    /// middle: where both sides were felt, if the robot tells the sides apart.
+    /// middle: where both sides were felt, if the robot reports both sides.
     FeltCells felt{};
     /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]; an sd
     /// of 0: none.
@@ -43,8 +43,8 @@ struct TrailGround {
     bool operator==(const TrailGround&) const = default;
 };
 
-/// What the way before a scene tells. Plain numbers, so that a session can hold them and estimate
-/// again. Shorter ways tell less: `way` says how long it was.
+/// Memory of the way before a scene. It is plain numbers, so that a session can hold them and estimate
+/// again. `way` is its length.
 struct TrailHistory {
     double way = 0.0;                          ///< [m] known before the scene, at most kTrailReach
     int presses = 0;                           ///< scenes on this way, without the scene itself
@@ -54,7 +54,7 @@ struct TrailHistory {
     bool operator==(const TrailHistory&) const = default;
 };
 
-/// Returns true if the history tells of a way, so that an estimate can use it.
+/// Returns true if the history covers a way, so that an estimate can use it.
 constexpr bool isUsable(const TrailHistory& history)
 {
     return history.way > 0.0;

@@ -56,7 +56,7 @@ struct TrailData {
     std::string planeHash, sideHash;  ///< SHA-256 of the drives, hex; empty: not trained
 };
 
-/// Least sd of the networks that their disagreement tells of, in sd of TrailScale.
+/// Lower bound of the sd by the networks' disagreement, in sd of TrailScale.
 inline constexpr double kMinSpread = 1e-3;
 
 /// Number of scenes whose errors form those of a scene. They are of as many drives as possible, because
@@ -106,7 +106,7 @@ private:
     TrailData data_;
 };
 
-/// What the networks say of one column of inputs, in sd of TrailScale.
+/// Output of the networks for one column of inputs, in sd of TrailScale.
 struct TrailOutput {
     Eigen::VectorXf mean;
     Eigen::VectorXf sizeInputs;  ///< of TrailNetworks::size

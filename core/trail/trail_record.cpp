@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-9;          // [m]
 constexpr double kSameTilt = 0.02;          // [rad] of a scene that replaces one at its place
 constexpr std::array kSlopes{-0.35, 0.35};  // of ground that carries a height
 
-/// Returns the plane that an arm reading tells of.
+/// Returns the plane in which an arm reading lies.
 std::size_t planeOf(ProbeSide side)
 {
     switch (side) {
@@ -223,7 +223,7 @@ std::optional<WayPose> TrailRecord::poseAt(const Measurement& scene) const
     return way.now();
 }
 
-/// Returns true if the ground at one pose lies aside of a later one, by more than half a flipper's width.
+/// Returns true if two poses lie more than half a flipper's width apart sideways.
 bool TrailRecord::isAside(const WayPose& then, const WayPose& now) const
 {
     return sidewaysOf(then, now, robot_.lateral.flipperY) > 0.5 * robot_.lateral.flipperWidth;

@@ -21,19 +21,19 @@ using TrailEnvelope = std::array<double, kEnvelopePoints>;
 
 /// Record of the last stretch of way: attitude and envelope of the robot every kStep, and the forces
 /// of every scene. Dead reckoning (core/strip/dead_reckoning.h) places them; a break of the way
-/// (core/strip/strip_way.h) empties the record. At most kLength of way, below 1 MB. It has no clock.
-/// The record is that of a way forward. Where the robot drives back, what it learnt at the places
-/// ahead is dropped, except the arm's readings. The networks know ways forward alone: on one that
-/// turns back, their heights are too low.
+/// (core/strip/strip_way.h) empties the record. It holds at most kLength of way, below 1 MB. It has no
+/// clock. The record is that of a way forward. If the robot drives back, the record of the places
+/// ahead is dropped, except the arm's readings. The networks learnt from ways forward only. On a way
+/// that turns back, their heights are too low.
 class TrailRecord {
 public:
     static constexpr double kLength = 3.0;  ///< [m]
     /// A stretch felt earlier counts as felt while dead reckoning adds at most this sd to its heights
     /// [m]. Turning must move it sideways by at most half a flipper's width. Both its ends move inwards
-    /// by one sd of the way since. The arm touched a point: its height is remembered, but its bin is
-    /// not felt by that, because a fall may begin beside the point. Readings of one bin may differ by
-    /// more than kArmContradiction of their sd. The lower height then stays, and the bin is not felt. A
-    /// robot that does not report its heading remembers nothing felt.
+    /// by one sd of the way since. A height that the arm measured is remembered. Its bin is not felt by
+    /// that, because a fall may begin beside the point. Readings of one bin may differ by more than
+    /// kArmContradiction of their sd. The lower height then stays, and the bin is not felt. Without the
+    /// robot's heading, no stretch counts as felt.
     static constexpr double kRememberedSd = 0.03;
     static constexpr double kArmContradiction = 3.0;
     /// The ground between the arm's point and the bin's centre may rise or fall by this much.
@@ -54,13 +54,13 @@ public:
     /// Empties the record for this reason.
     void end(SectionStart why);
 
-    /// Returns what the way before a scene tells. The scene is the newest line, or one of the last
-    /// lines while the robot stood. way: tells at most this much of the way [m]. Without odometry,
-    /// or right after a break, it is an emptyHistory().
+    /// Returns the memory of the way before a scene. The scene is the newest line, or one of the last
+    /// lines while the robot stood. way: largest length to return [m]. Without odometry, or right after
+    /// a break, it is an emptyHistory().
     TrailHistory before(const Measurement& scene, double way = kTrailReach) const;
 
     /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
-    /// replaces it. It keeps its arm readings if the robot has neither tilted nor turned aside since.
+    /// replaces it. It keeps its arm readings if the robot has neither tilted nor turned since.
     /// The scene counts as a line of telemetry.
     void addScene(const Measurement& scene);
 

@@ -67,8 +67,8 @@ public:
         OfDrive,    ///< dead-man: a driving robot must halt
         OfConsole,  ///< watchdog: disarmed; the robot must halt, whatever it does
     };
-    /// Returns the timeout since the last call. Call it at least every 50 ms. The simulated robot halts by
-    /// it in RobotOnBus::haltForSilence(); a real one must do likewise.
+    /// Returns the timeout since the last call. Call it at least every 50 ms. A robot must
+    /// halt by it, as the simulated one does in RobotOnBus::haltForSilence().
     Silence tick(double now);
 
     /// Disarms for the robot's own reasons. Begins a new epoch.

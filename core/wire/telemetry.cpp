@@ -78,8 +78,8 @@ double voltageOf(double force, double bias, const RobotModel& robot)
     return std::clamp(voltage, c.openBelow, c.shortAbove);
 }
 
-/// Returns the odometry. Empty also for a way beyond its signal, whose limit would pass for a
-/// standing robot, and for a way without a heading: a heading of 0 would be one that never turns.
+/// Returns the odometry. It is also empty for a way beyond its signal: a constant limit would look
+/// like a standing robot. It is empty without a heading: 0 would look like a robot that never turns.
 std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
 {
     const SignalLayout& way = layoutOf(FrameKind::Odometry).payload[0];

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes default.card.toml: when and on what ground the shipped model was trained, and the errors of its methods on
-# generated ground of another seed.  Needs the repository's history.  Minutes on two cores.
+# Makes default.card.toml. It states when and on what ground the shipped model was trained, and the errors of its
+# methods on generated ground of another seed. Needs the repository's history. It takes minutes on two cores.
 # Usage: resources/models/make_card.sh path/to/terratact
 set -eu
 terratact=$(realpath "$1")

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes default.ttn, the networks of the method trail that the program ships. They learn from 4000 simulated drives in
-# one plane and 7000 on two tracks over varied ground, three drives of ten on soft ground, with exact heights. Every
-# tenth drive gives the errors. An hour on two cores.
+# one plane and 7000 on two tracks over varied ground, with exact heights. Three drives of ten are on soft ground. Every
+# tenth drive gives the errors. It takes an hour on two cores.
 # Usage: resources/models/make_trail.sh path/to/terratact
 set -eu
 terratact=$(realpath "$1")

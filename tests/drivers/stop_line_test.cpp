@@ -46,7 +46,7 @@ TEST(StopLine, isReceivedAndAnswered)
 
 std::string listenerPath;
 
-TEST(StopLine, ofAnotherUserIsNotHeard)
+TEST(StopLine, ofAnotherUserIsIgnored)
 {
     const TemporaryDirectory folder;
     ASSERT_EQ(::chmod(folder.file("").c_str(), 0777), 0);

@@ -3,8 +3,8 @@
 # environment and directory:
 #   tests/kernel/run.sh [--timeout SECONDS] [--clock host|guest] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
 #   --timeout  host time until the kernel is killed; default 120
-#   --clock    host (default): the host's clock. guest: the clock advances only when every process waits, so no deadline
-#              is missed on a busy host, and computing takes no time. A busy loop without clock calls never ends
+#   --clock    host (default): the host's clock. guest: the clock advances only when every process waits. No deadline is
+#              missed on a busy host, and computing takes no time. A busy loop without clock calls never ends
 #   --gpio     creates a gpio-sim chip with this label and lines of these names
 # vcan0 exists and is up; its frames return to their sender after sending, like those of a controller.
 # Output goes to standard output as it arrives. Exit status: the program's; 77 without a kernel, 124 after the timeout,

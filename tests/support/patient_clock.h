@@ -16,10 +16,10 @@
 namespace terratact {
 
 /// The machine's clock, but never further than kMaxAhead past the time that each of its threads read last. A busy
-/// machine that delays one of them stops the time of all, so that none of them seems silent to another. Time catches up
-/// once they read again. A thread that has ended does not count, nor one that sleeps for so long that it was gone.
-/// While it computes or waits for a processor or a disk, it counts. A pause of the whole machine makes nobody gone.
-/// As long as it exists, it is the testClock.
+/// machine that delays one thread stops the time of all. No thread therefore seems silent to another. Time catches up
+/// once they read again. A thread counts while it computes or waits for a processor or a disk. A thread that has ended,
+/// or sleeps longer than kGone, is gone and does not count. A pause of the whole machine makes no thread gone. As long
+/// as it exists, it is the testClock.
 class PatientClock {
 public:
     /// [s] a fifth of the shortest time limit between console and robot: a thread may read several times in one turn

@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// Tells an area what it missed; the area shall receive the present event, too.
+    /// Sends an area a style change if it missed one. Returns false, so that the area also gets the present event.
     bool restyle(QObject* area)
     {
         if (!pending_.remove(area)) return false;

@@ -83,8 +83,8 @@ const Theme& theme();
 /// Scales a length or font size [px at 100 %] to the current font scale; theme.h sets it. GUI thread only.
 int scaled(int pixels);
 
-/// Scales a length or font size of what is large already at 100 %. Above 100 % it is three quarters
-/// of scaled(), and no less than at 100 %. GUI thread only.
+/// Scales a length or font size that is large already at 100 %. Above 100 % it is three quarters of
+/// scaled(), and no less than at 100 %. GUI thread only.
 int scaledLarge(int pixels);
 
 inline constexpr int kTarget = 34;  ///< [px] minimum height of a pressable control at 100 %

@@ -65,7 +65,7 @@ void drawChoice(const QStyle& style, const QStyleOptionComboBox& box, const QRec
     style.drawPrimitive(QStyle::PE_IndicatorArrowDown, &mark, &painter, widget);
 }
 
-/// Draws an arrow of a number box as a button of its own.
+/// Draws an arrow of a number box as a separate button.
 void drawStep(const QStyle& style, const QStyleOptionSpinBox& box, QStyle::SubControl part,
               QPainter& painter, const QWidget* widget)
 {

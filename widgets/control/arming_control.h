@@ -29,8 +29,8 @@ public:
     QPushButton* armButton() const { return arm_; }
     HoldToConfirmButton* confirmButton() const { return confirm_; }
 
-    /// Press and release of the window-wide key. A press right after a release is not a second action: some X servers
-    /// repeat held keys so. A press that cannot arm says why (impossible()).
+    /// Press and release of the window-wide key. Some X servers repeat a held key as releases and presses. A press
+    /// right after a release is therefore not a second action. A press that cannot arm emits impossible().
     void pressKey();
     void releaseKey();
 

@@ -42,7 +42,7 @@ public:
     void lookUp(std::optional<Commanded> command);  ///< empty: the next command
     void lookUpNext();         ///< cycles through the commands, then back to the next command
     Commanded listed() const;  ///< command whose preconditions are listed
-    /// Tells whether an estimate is on the screen that can be cleared, in any state.
+    /// Sets whether the screen shows an estimate that can be cleared, in any state.
     void setHasResult(bool hasResult);
 
     /// Sets the place for which the operator may now request a probe, and the text of its expected gain; empty: none.

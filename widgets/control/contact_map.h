@@ -13,8 +13,8 @@ namespace terratact {
 
 /// Force elements of the flippers from above, front at the right. The left row stands above the
 /// right one. An element is a box with its number. It is filled where it touches the ground, else it
-/// has a bar of its force. Where unknown, it is crossed out. The rear elements are
-/// shown if they are known. A small map has no letters.
+/// has a bar of its force. An unknown element is crossed out. The rear elements are shown if they are
+/// known. A small map has no letters L and R.
 struct ContactMap {
     std::optional<FlipperContacts> contacts{};  ///< empty: nothing is known
     bool isSmall = false;

@@ -59,7 +59,7 @@ double widthOf(const DriveCell::Line& line)
     return QFontMetricsF(line.font).horizontalAdvance(line.text);
 }
 
-/// Draws a line; letters that have no room become smaller, down to two thirds.
+/// Draws a line. A text that does not fit gets a smaller font, down to two thirds of the size.
 void draw(QPainter& painter, const DriveCell::Line& line)
 {
     QFont font = line.font;

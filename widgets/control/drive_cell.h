@@ -12,11 +12,11 @@
 
 namespace terratact {
 
-/// How much a cell of the drive strip shows: limits in numbers, only their ticks, or short words in smaller letters.
+/// How much a cell of the drive strip shows: limits in numbers, only their ticks, or short words in a smaller font.
 enum class DriveDetail : std::uint8_t { Limits, Words, Short };
 
 /// A value of the drive strip under its caption: a number, an angle with its gauge, or contacts with their map. A level
-/// fills the cell. It paints itself, because labels with a style sheet cost a change of letters its time. Screen
+/// fills the cell. It paints itself, because labels with a style sheet make a change of the font slow. Screen
 /// readers get the name and the description. Takes values, emits nothing.
 class DriveCell final : public QWidget {
     Q_OBJECT
@@ -44,15 +44,15 @@ public:
     const Content& content() const { return content_; }
     void setDetail(DriveDetail detail);
     int widthFor(DriveDetail detail) const;  ///< [px]
-    static int heightOfAll();                ///< [px] of every cell at the present letters
-    /// A text in one line. Letters become smaller where a rare text, such as a rear contact, has no room.
+    static int heightOfAll();                ///< [px] of every cell in the present font
+    /// A text in one line. The font shrinks where a rare text, such as a rear contact, does not fit.
     struct Line {
         QRectF area;
         QFont font;
         QString text;
     };
     std::vector<Line> lines() const;  ///< what is painted
-    bool fits() const;                ///< true if no line is painted with smaller letters
+    bool fits() const;                ///< true if no line is painted in a smaller font
     QSize sizeHint() const override { return {widthFor(detail_), heightOfAll()}; }
 
 protected:

@@ -50,7 +50,7 @@ QString withMark(const QString& name, const QString& mark)
     return mark.isEmpty() ? name : name + QLatin1Char(' ') + mark;
 }
 
-/// Returns the caption of an angle in a narrow strip, where the unit of radians stands instead of beside the value.
+/// Returns the caption of an angle in a narrow strip. It contains the unit of radians, which the value then lacks.
 QString shortAngleName(DriveStrip::Cell cell)
 {
     const bool isRadian = units().angle == AngleUnit::Radian;

@@ -92,7 +92,7 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
-    /// Says that a verdict exists already, or why no probe is proposed.
+    /// States that a verdict exists already, or why no probe is proposed.
     QLabel* decided_ = nullptr;
     QLabel* ranking_ = nullptr;  ///< other bins while they cannot be chosen
     QList<QLabel*> keys_;

@@ -87,7 +87,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
         values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), format::angle(*captured)));
     fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
     const auto angles = [&](double left, double right) {
-        // The unit of radians stands once: a low window has no room for two.
+        // The unit of radians appears once: two do not fit in a low window.
         return pair(format::angle(left).section(QLatin1Char(' '), 0, 0), format::angle(right));
     };
     put(FrontFlippers, angles(m.frontLeft, m.frontRight));

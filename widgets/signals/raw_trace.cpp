@@ -67,7 +67,7 @@ public:
         if (role != Qt::DisplayRole) return {};
         if (index.column() == Number) return QString::number(traced.number);
         if (index.column() == Time) return format::number(traced.time, 3);
-        const TraceWords words = words_(traced.frame);
+        const TraceText words = words_(traced.frame);
         switch (index.column()) {
         case Id: return words.id;
         case Name: return traced.echo ? RawTrace::tr("%1 (from here)").arg(words.name) : words.name;

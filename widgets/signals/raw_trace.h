@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/display/trace_words.h"
+#include "app/display/trace_text.h"
 #include "core/wire/frame_trouble.h"
 
 class QLabel;
@@ -35,7 +35,7 @@ class TraceModel;
 class RawTrace final : public QWidget {
     Q_OBJECT
 public:
-    using Words = std::function<TraceWords(const CanFrame&)>;  ///< called for visible frames only
+    using Words = std::function<TraceText(const CanFrame&)>;  ///< called for visible frames only
     /// Called for every frame, so it must be cheap.
     using Name = std::function<QString(const CanFrame&)>;
 

@@ -11,7 +11,7 @@ namespace terratact {
 /// A contact of the robot with the ground.
 struct ContactPoint {
     QPointF at;       ///< DEM frame [m]
-    QString element;  ///< "L5"; empty: it has no word of its own
+    QString element;  ///< "L5"; empty: the point has no label
     bool operator==(const ContactPoint&) const = default;
 };
 

@@ -50,7 +50,7 @@ EarlierLayer::EarlierLayer() : rear_(ProfileAxes::kLeft)
     setItemAttribute(QwtPlotItem::Legend, false);
 }
 
-/// Returns a section with its front at `end`; without a point, if nothing of it is drawn.
+/// Returns a section with its front at `end`. It has no points if nothing of the section is drawn.
 EarlierLayer::Stretch EarlierLayer::stretchOf(const EarlierSection& section, double end)
 {
     Stretch stretch{.begin = end, .end = end, .next = section.next};

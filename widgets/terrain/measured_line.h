@@ -26,7 +26,7 @@ struct MeasuredEnd {
     bool isKnown() const { return kind != Kind::Unfelt; }
 };
 
-/// What two ends tell. They are taken from rear to front, so a rise ahead is positive.
+/// Distance, rise and slope between two ends, from rear to front. A rise ahead is positive.
 struct MeasuredSlope {
     double distance = 0.0;       ///< [m] horizontal
     std::optional<double> rise;  ///< [m]; empty: an end is not felt
@@ -35,8 +35,8 @@ struct MeasuredSlope {
 };
 MeasuredSlope measuredSlope(const MeasuredEnd& a, const MeasuredEnd& b);
 
-/// Returns the measurement as lines: distance, rise and slope; then both ends with their bands, or that one is
-/// not felt.
+/// Returns the measurement as lines. The first have distance, rise and slope. The last have both ends with their
+/// bands, or state that an end is not felt.
 QStringList measuredText(const MeasuredEnd& a, const MeasuredEnd& b);
 
 /// Draws a measurement: both ends, the line between them, and its two legs. The words stand in a frame at the upper

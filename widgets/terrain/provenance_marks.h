@@ -26,7 +26,7 @@ struct ProvenanceMark {
 /// Returns the mark in the current theme. Its fill is markFill()'s (core/infer/estimate/provenance.h).
 ProvenanceMark markOf(Provenance provenance);
 
-/// Returns the brush of a mark in a colour; what is not filled has the card's colour.
+/// Returns the brush of a mark in a colour. The unfilled part of a mark has the card's colour.
 QBrush brushOf(MarkFill fill, const QColor& colour);
 
 /// A bar whose stem has the pen's pattern; its ends are solid and of one width.

@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    /// Draws stretches that were felt alike in one stroke, so that their dashes go on.
+    /// Draws neighbouring stretches that were felt alike in one stroke, so that their dashes continue.
     void drawLine(std::span<const SeenBin> run) const
     {
         for (std::size_t first = 0; first + 1 < run.size();) {

@@ -10,9 +10,9 @@
 namespace terratact {
 
 /// Ground that was felt before (core/strip/strip.h), as seen from the robot: a line in a band, without marks. The line
-/// is dashed where the ground was felt, and dotted where it was bounded or felt in part. Ground that was not felt is
-/// not drawn, nor ground that is less certain than kMaxSd. Beside an estimate only the ground behind it is drawn. Both
-/// sides begin with L and R.
+/// is dashed where the ground was felt, and dotted where it was bounded or felt in part. Ground that was not felt, or
+/// has an sd above kMaxSd, is not drawn. With an estimate, only the ground behind the estimate is drawn. The lines of
+/// left and right begin with L and R.
 class RememberedLayer final : public QwtPlotItem {
 public:
     static constexpr double kMaxSd = 0.15;  ///< [m]

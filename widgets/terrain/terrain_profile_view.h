@@ -56,15 +56,15 @@ struct ArmTip {
 /// felt has no bar, because it would look measured. The robot's side view has
 /// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is. Bins differ
 /// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
-/// triangle, sampled = circle, prior only = open diamond in an amber zone. A mark is filled where the bin was felt, its
-/// lower half where it was felt in part, else open. Letters mark the bins where the legend has no room. A bin with
-/// bimodal draws shows both heights. Of two sides, one is drawn in full and the other one lighter, beside it. The right
-/// side's line is solid, the left side's line is hollow, and letters stand at their ends.
+/// triangle, sampled = circle, prior only = open diamond in an amber zone. A mark is filled where the bin was felt. Its
+/// lower half is filled where the bin was felt in part. Otherwise it is open. Letters mark the bins if the legend does
+/// not fit. A bin with bimodal draws shows both heights. Of two sides, one is drawn in full and the other one lighter,
+/// beside it. The right side's line is solid and ends with R. The left side's line is hollow and ends with L.
 /// The wheel, + and − zoom. Dragging and Shift with an arrow key pan. A double click or 0 shows the robot again. Two
 /// fingers zoom and pan, a resting one shows a bin in detail. Remembered ground (remembered_layer.h) reaches beyond the
 /// picture.
-/// While measuring, a drag sets two points. Their distance, rise and slope are shown, with the bands of both heights,
-/// or that one is not felt (measured_line.h). The arrow keys move the second point from bin to bin.
+/// While measuring, a drag sets two points. Their distance, rise and slope are shown with the bands of both heights. A
+/// point that is not felt is named (measured_line.h). The arrow keys move the second point from bin to bin.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public PlainPlot {
@@ -86,7 +86,7 @@ public:
     void setFullSide(Side side);
     /// Returns the side that is drawn in full; empty: one plane, or no estimate.
     std::optional<Side> sideInFull() const;
-    /// Returns the side of which a probe is asked for at a bin that is chosen in the picture.
+    /// Returns the side of a probe that the operator requests at a bin chosen in the picture.
     ProbeSide sideToProbe() const;
     /// Returns the bin shown in detail, on that side; empty: none.
     std::optional<ProbePlace> selectedPlace() const;
@@ -103,8 +103,8 @@ public:
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     /// Of two sides it is that of the side in full.
     void setSecond(const std::optional<TwoTrackEstimate>& estimate, const QString& name);
-    /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason
-    /// shown if nothing is remembered; empty: nothing.
+    /// Shows the ground that was felt along the way. With an estimate, only the part behind the estimate is shown. why:
+    /// the reason shown if nothing is remembered; empty: no reason is shown.
     void setRemembered(const SeenStrip& strip, const QString& why = {});
     /// Shows the sections before a break, newest first, behind all other ground (earlier_layer.h).
     void setEarlier(const std::vector<EarlierSection>& sections);
@@ -123,9 +123,9 @@ public:
     /// Mutes the drawing, which is `age` [s] old, and writes that age over it; empty: it is current.
     void setStale(std::optional<double> age);
 
-    /// Shows a small widget in the upper left corner of the canvas, beside the bins. Where there is no room beside
-    /// them, it gets its minimum size above the robot. It leaves where it would cover a note, or anything drawn. The
-    /// view takes ownership.
+    /// Shows a small widget in the upper left corner of the canvas, beside the bins. If it does not fit there, it gets
+    /// its minimum size above the robot. It is hidden if it would cover a note or anything drawn. The view takes
+    /// ownership.
     void setCorner(QWidget* corner);
 
     /// Returns the canvas position of a point in the DEM frame [m].

@@ -13,8 +13,8 @@
 namespace terratact {
 namespace {
 
-/// Returns true if the header names a version that this program reads (sqlite.org/fileformat2.html
-/// §1.3), so that another version is not called damaged.
+/// Returns true if the header names a version that this program reads. A file of another version is
+/// not damaged. Source: sqlite.org/fileformat2.html §1.3.
 bool isOfReadableVersion(const std::string& path)
 {
     constexpr std::size_t kUserVersion = 60;  // four bytes, most significant first

@@ -6,9 +6,8 @@
 
 namespace terratact {
 
-/// Opens a session as SessionReader::open(). The error of a damaged session, such as a truncated
-/// one, names `session recover`, which saves what is whole. It does not where the process or the
-/// system has too many open files.
+/// Opens a session as SessionReader::open(). The error of a damaged session names `session recover`,
+/// which saves its undamaged rows. An error for too many open files does not.
 Result<SessionReader> openSession(const std::string& path);
 
 }  // namespace terratact

@@ -34,15 +34,15 @@ struct BusOffer {
 /// the GUI thread. The rest is left out once a stop is requested.
 std::vector<BusOffer> busOffers(const std::stop_token& stop);
 
-/// Window to choose what the console works with: a CAN bus, the simulated robot, a log to replay, or a session to
-/// review. It states what is wrong with each and what mends it. Logs and sessions open in a window of their own. The
-/// permission to send commands is for one bus: it ends with another choice, another search, and another opening.
+/// Window to choose the source of the console: a CAN bus, the simulated robot, a log or a recorded session. For each
+/// it states what is wrong and how to repair it. Logs and sessions open in another window. The permission to send
+/// commands is for one bus. It ends with another choice, another search, and another opening.
 class ConnectWindow final : public QDialog {
     Q_OBJECT
 public:
     struct Options {
         QString inUse{};  ///< what the console is connected to
-        /// Finds the interfaces; called in a thread of its own.
+        /// Finds the interfaces; called in a separate thread.
         std::function<std::vector<BusOffer>(const std::stop_token& stop)> search = busOffers;
         /// Returns why this console must stay connected now; empty: it may change.
         std::function<std::optional<Message>()> whyNot;
@@ -51,8 +51,8 @@ public:
     explicit ConnectWindow(Options options, QWidget* parent = nullptr);
     ~ConnectWindow() override;
 
-    void searchAgain();  ///< looks at the CAN interfaces anew; does nothing while it looks
-    /// Opens a file that was chosen as a session or as a log. Says what is wrong if it is none.
+    void searchAgain();  ///< searches the CAN interfaces again, unless a search is running
+    /// Opens a file as a session or as a log. If the file is neither, shows the reason.
     void openFile(const QString& path, bool asSession);
 
     QListWidget* list() const { return list_; }

@@ -86,7 +86,7 @@ SignalsPage::SignalsPage(const RobotMoment& moment, const Acquisition& acquisiti
     }
 
     auto* traceCard = new Card(tr("Newest frames"), this);
-    trace_ = new RawTrace([this](const CanFrame& frame) { return traceWords(frame, book_); },
+    trace_ = new RawTrace([this](const CanFrame& frame) { return traceText(frame, book_); },
                           [this](const CanFrame& frame) { return frameName(frame, book_.get()); },
                           traceCard);
     traceCard->body()->addWidget(trace_, 1);

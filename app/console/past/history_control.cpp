@@ -101,7 +101,7 @@ bool HistoryControl::isOvertaken(const TerrainViewState& viewState) const
         || (viewState.estimate && standing_ != exploration_.estimation().revisions().estimate);
 }
 
-/// The picture shows a past estimate in the robot's frame of that time, so the banner tells what was driven since.
+/// Shows in the banner how far the robot has driven since. The picture has the robot's frame of the past estimate.
 void HistoryControl::showWaySince(const PastEstimate& past, const Measurement* now)
 {
     constexpr double kStill = 0.005;  // [m]

@@ -8,16 +8,17 @@ namespace terratact {
 
 class PlainLabel;
 
-/// A window for a second screen: the terrain, the verdict, the memory line and the drive strip, as the console shows
-/// them, stale data included. Nothing in it commands the robot or changes the verdict. It follows theme and font. F11
-/// fills its screen, but never covers the console's header. Esc and Ctrl+D close it.
+/// A window for a second screen. It shows terrain, verdict, memory line and drive strip like the console, with the same
+/// marks of stale data. Nothing in it commands the robot or changes the verdict. It follows theme and font. F11 fills
+/// its screen, but never covers the console's header. Esc and Ctrl+D close it.
 class SecondView final : public QWidget {
     Q_OBJECT
 public:
     /// source: the source's name, for the title. console: the window that owns it.
     SecondView(const RobotModel& robot, const QString& source, QWidget& console);
 
-    /// Shows what the console shows. limits: those of the console's page; banner: its link banner, empty: none.
+    /// Shows what the console shows. stepLimit, threshold: obstacle height [m] and contact threshold [N] of the
+    /// console's page. banner: its link banner; empty: none.
     void show(const TerrainViewState& viewState, double stepLimit, double threshold,
               const QString& banner);
     /// Opens the window without taking the keys from the console. It is on another screen if there

@@ -24,13 +24,13 @@ struct SnapshotFiles {
     QString name() const;  ///< without the folder
 };
 
-/// Returns the files of a snapshot at a time (UTC). They lie beside the session; where no session records (an empty
-/// path), in the operator's folder of pictures. No file of those names exists.
+/// Returns new file names for a snapshot at a time (UTC). The files lie beside the session. An empty path means that no
+/// session is recorded; they then lie in the operator's folder of pictures.
 SnapshotFiles snapshotFiles(const std::string& session, const QDateTime& utc);
 
-/// Writes snapshots, one at a time, in a thread of its own: a picture takes longer than a frame of the console, and a
-/// disk may be slow. No call waits for the thread. The destructor waits for kMaxWait at most, so that a hanging disk
-/// does not keep the console open. What is not written by then is lost; no half file appears.
+/// Writes snapshots in a separate thread, one at a time. A picture takes longer than a frame of the console, and a disk
+/// may be slow. No call waits for the thread. The destructor waits for kMaxWait at most, so that a hanging disk does
+/// not keep the console open. A snapshot that is unfinished then is lost; no partial file appears.
 class SnapshotWriter final : public QObject {
     Q_OBJECT
 public:
@@ -60,13 +60,13 @@ private:
     std::thread thread_;
 };
 
-/// Asks for the note of a snapshot. It blocks no window: the console goes on, and its keys are let go as it loses the
-/// focus. Enter saves the note, Esc leaves the snapshot without one. A note is emitted when the files are written.
+/// Dialog for the note of a snapshot. It blocks no window. The console loses the focus, which releases its keys. Enter
+/// saves the note, Esc leaves the snapshot without one. A note is emitted when the files are written.
 class SnapshotNote final : public QDialog {
     Q_OBJECT
 public:
     explicit SnapshotNote(QWidget& console);
-    /// Asks for the note of the next snapshot. What was typed for the last one is saved as its note.
+    /// Shows the dialog for the next snapshot. Text typed for the last snapshot is saved as its note.
     void ask(const SnapshotFiles& files, const QString& text);
     /// The files of that snapshot are written, or could not be.
     void setWritten(const QString& text);

@@ -11,9 +11,9 @@ namespace terratact {
 
 class Exploration;
 
-/// Writes the strip of felt ground of the running drive to a file that the operator names: a picture, a profile or a
-/// point cloud (app/figures/report/strip_file.h). It is the strip as it is when the file is named. A thread of its own
-/// writes it, one file at a time, so that the console goes on. No file is replaced.
+/// Writes the strip of felt ground of the running drive to a file that the operator names. The file is a picture, a
+/// profile or a point cloud (app/figures/report/strip_file.h). It holds the strip at the time of naming the file. A
+/// separate thread writes one file at a time, so that the console keeps running. No file is replaced.
 class StripExport final : public QObject {
     Q_OBJECT
 public:

@@ -183,7 +183,7 @@ MissionLine lineOf(const EventRow& event)
     return {event.time, 2, std::move(what), Message::listed(std::move(numbers), "; ")};
 }
 
-/// Returns the lines in the order of time; of the estimates the first maxRows alone, because only those can be shown.
+/// Returns the lines in the order of time, with at most the first maxRows estimates: no more can be shown.
 Result<std::vector<MissionLine>> linesOf(SessionReader& session, const RobotModel& robot,
                                          const std::function<bool(double)>& progress,
                                          std::size_t maxRows)

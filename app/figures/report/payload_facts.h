@@ -11,9 +11,10 @@
 
 namespace terratact {
 
-/// Returns what other devices had sent before a time of a session, as lines of its report: "payload" and "500 Gas:
-/// Oxygen 20.5 %, 0.4 s before". These are the newest values of each described frame within kPayloadWindow. The last
-/// line counts what is beyond kMaxPayloadFacts. book: null: no lines. wording: makes the texts.
+/// Returns lines of a report with the values that other devices had sent before a time of a session. An example is
+/// "payload" and "500 Gas: Oxygen 20.5 %, 0.4 s before". The lines have the newest values of each described frame
+/// within kPayloadWindow. The last line counts the frames beyond kMaxPayloadFacts. book: null: no lines. wording: makes
+/// the texts.
 std::vector<std::pair<std::string, std::string>>
 payloadFacts(SessionReader& session, const std::shared_ptr<const DbcBook>& book, SessionTime time,
              const Wording& wording = inEnglish);

@@ -14,7 +14,8 @@ Message settingsText(const Settings& settings);
 /// Returns the readings of the arm, "+0.120 m at +0.3 m left (sd 5 mm)", or "none".
 Message readingsText(const EstimateRow& row);
 
-/// Returns the verdict of one profile, the probability of a step, and why it is not CLEAR or withheld. limit: [m].
+/// Returns the verdict of one profile with the probability of a step. If the verdict is withheld or not CLEAR, the
+/// reason follows. limit: [m].
 Message stepText(const Verdict& verdict, double limit);
 
 /// Return an event's subject and text, as names of events for translators. What a person typed stays as it is. The

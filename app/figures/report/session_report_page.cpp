@@ -54,7 +54,7 @@ private:
     {
         const double column =
             (kPaperWidth - 2.0 * kPageMargin) / static_cast<double>(table.front().size());
-        constexpr std::size_t kRoomy = 11;  // columns that the usual size of letters leaves apart
+        constexpr std::size_t kRoomy = 11;  // largest number of columns in the usual font size
         const double size = table.front().size() > kRoomy ? 13.5 : 16.0;
         for (std::size_t row = 0; row < table.size(); ++row) {
             const TextStyle style{.colour = row == 0 ? kFigureMuted : kFigureText,

@@ -24,10 +24,10 @@ double groundOf(const Strip& strip);
 /// Returns the title of a strip of a session's file. Empty: of a running drive.
 Message stripTitle(const std::string& file);
 
-/// Writes a strip of felt ground by the file ending: .csv profile, .ply point cloud
-/// (app/recording/export/strip_export.h), or a picture .png, .svg, .pdf, .html (app/figures/report/strip_figure.h).
-/// title: what drive it is of. wording: makes the texts of a picture. section: the only one, from 1; empty: all. Errors
-/// name the file: another ending, no ground, no such section, not writable.
+/// Writes a strip of felt ground by the file ending. .csv is a profile and .ply a point cloud
+/// (app/recording/export/strip_export.h). .png, .svg, .pdf and .html are pictures (app/figures/report/strip_figure.h).
+/// title: name of the drive. wording: makes the texts of a picture. section: the only section to write, from 1; empty:
+/// all. Errors name the file: another ending, no ground, no such section, not writable.
 Status writeStrip(const std::string& path, const std::shared_ptr<const Strip>& strip,
                   const RobotModel& robot, const std::string& title,
                   std::optional<int> section = {}, const Wording& wording = inEnglish);

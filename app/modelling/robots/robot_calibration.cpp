@@ -293,8 +293,8 @@ struct Lift {
     bool front = false, rear = false;
 };
 
-/// Returns empty for a pose without rest. An axle lifts if the robot would pitch by 0.03 rad less without it: flippers
-/// that only lie on the floor carry an unknown load.
+/// Returns empty for a pose without rest. An axle lifts if the robot would pitch by 0.03 rad less without it. Flippers
+/// that only lie on the floor do not count, because their load is unknown.
 std::optional<Lift> liftOf(const RobotModel& robot, const StandingPose& pose,
                            const FloorParameters& x)
 {

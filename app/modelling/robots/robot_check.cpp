@@ -273,8 +273,8 @@ private:
                             r_.maxFlipperTorque, needed));
     }
 
-    /// Returns the torque of one front motor that lifts the front end on a flat floor: the flippers' tips push down and
-    /// the tracks' rear wheels carry the rest [N m].
+    /// Returns the torque of one front motor [N m] that lifts the front end on a flat floor. The flippers' tips push
+    /// down and the tracks' rear wheels carry the rest.
     double liftingTorque() const
     {
         const double total = r_.totalMass(), rear = -0.5 * r_.trackAxle;

@@ -19,10 +19,10 @@ struct RobotFinding {
     std::string text;  ///< what it is, what was expected and what to do
 };
 
-/// Checks that the numbers of a robot agree: the lower edges of tracks, flippers and body on a flat
-/// floor, and the lengths of the flippers. The centre of mass must lie within the support. Torques
-/// are compared with weights. The range of the force elements and the positions of IMU, arm and
-/// sides are checked. Findings come in the order of the file.
+/// Checks that the numbers of a robot agree. The lower edges of tracks, flippers and body must fit a
+/// flat floor, and the flippers' lengths each other. The centre of mass must lie within the support.
+/// Torques are compared with weights. The range of the force elements and the positions of IMU, arm
+/// and sides are checked. Findings come in the order of the file.
 std::vector<RobotFinding> checkRobot(const RobotModel& robot);
 
 /// Result of a check of a file.

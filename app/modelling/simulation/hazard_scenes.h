@@ -75,8 +75,8 @@ Heights knownHeights(const OptionalHeights& truth);
 /// True heights of flat ground lie within this distance of a straight line [m].
 inline constexpr double kFlatWithin = 0.02;
 
-/// Returns true if the true ground from the first bin to lastBin is flat. It has no step above stepLimit [m], and its
-/// bins lie within kFlatWithin of the line through the two outer ones.
+/// Returns true if the true ground from the first bin to lastBin is flat. It has no step above stepLimit [m]. Its bins
+/// lie within kFlatWithin of the line through the two outer ones.
 bool isFlatTo(const Heights& truth, double stepLimit, int lastBin);
 
 /// A robot that presses leaves no longer stretch without a contact force [m].

@@ -32,10 +32,9 @@ struct DriveRecording {
     int skipped = 0;  ///< stops without a rest pose
 };
 
-/// Simulates the drives in parallel. Each has a generator of its own, seeded by the seed and its number:
-/// the result does not depend on the number of threads. Runs are named by the number of the drive, or
-/// of the ground in the file, from 1. Errors: those of the file, and more
-/// than maxLines lines. Such drives are noticed before all are simulated; the error says how many fit.
+/// Simulates the drives in parallel. The seed and a drive's number seed its generator, so the result does not depend on
+/// the number of threads. Runs are named by the number of the drive, or of the ground in the file, from 1. Errors:
+/// those of the file, and more than maxLines lines. The second error comes early and states how many drives fit.
 Result<DriveRecording> simulateDrives(const RobotModel& robot, const SimulatedDrives& options);
 
 }  // namespace terratact

@@ -17,8 +17,8 @@ namespace terratact {
 
 /// Drives to simulate that stop, press and measure; nothing is recorded between the stops.
 struct SimulatedScenes {
-    /// "boxes": 28 drives over the boxes of the paper; "varied": a drive per 8 scenes; "hazards": a drive per 16
-    /// scenes; or a file of profiles or ground lines.
+    /// "boxes": 28 drives over the boxes of the paper; "varied": random ground, a drive for every 8 scenes; "hazards":
+    /// a drive for every 16 scenes. Any other text is the path of a file of profiles or ground lines.
     std::string terrain = "boxes";
     std::uint64_t seed = 1;     ///< of grounds, drives and noise
     int count = 0;              ///< number of stops; 0: 1400 for presets, every stop of a file
@@ -41,8 +41,8 @@ struct DrivenScenes {
 };
 
 /// Simulates the drives of a robot on one plane (core/sim/drive.h). The stops of a preset are spread evenly over its
-/// drives, and over the ground of each. Stops over a file are 0.1 m apart; `count` of them are chosen at random, in the
-/// order of the file. Runs are named by the number of the drive or of the profile, from 1. The seed determines the
+/// drives, and over the ground of each. Stops over a file are 0.1 m apart. `count` of them are chosen at random and keep
+/// their order. Runs are named by the number of the drive or of the profile, from 1. The seed determines the
 /// result. Errors: those of the file.
 Result<DrivenScenes<Scene>> simulateScenes(const RobotModel& robot, const SimulatedScenes& options);
 

@@ -57,7 +57,7 @@ Result<GeneratedFiles> generatedOf(const TrainingPlan& plan)
     return files;
 }
 
-/// Mixes generated scenes to the real ones of `file` by held-out error. chosen: is told the mix.
+/// Mixes generated scenes to the real ones of `file` by held-out error. chosen: receives the mix.
 template <class SceneType, class Judge>
 Status addGenerated(const std::string& file, TrainingScenes<SceneType>& real,
                     const TrainingScenes<SceneType>& generated, Judge judge,
@@ -72,7 +72,7 @@ Status addGenerated(const std::string& file, TrainingScenes<SceneType>& real,
     return Done{};
 }
 
-/// Returns the first file and those behind it.
+/// Returns all files in one list, `first` in front.
 std::vector<std::string> joined(const std::string& first, const std::vector<std::string>& more)
 {
     std::vector<std::string> all{first};

@@ -26,8 +26,8 @@ struct TrainingPlan {
     /// Generated scenes, mixed to the real ones of `data` or `tracks`. Their weight has the smallest
     /// error on held-out real scenes (scene_mixing.h). Each file holds one plane or two tracks.
     std::vector<std::string> generated{};
-    /// Model whose part of one plane is kept, every bit of it. The new one learns `tracks` alone,
-    /// and `data` is not read. Empty: `data` trains that part.
+    /// Model whose part of one plane is kept bit by bit. The new model learns from `tracks` only, and
+    /// `data` is not read. Empty: `data` trains that part.
     std::string plane{};
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;

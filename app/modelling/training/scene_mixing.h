@@ -34,10 +34,10 @@ struct HeldOutFolds {
         by{};  ///< "2 files", "4 groups of 9 runs" or "4 parts of one run", for the model card
 };
 
-/// Returns the folds: one for each file if there are several, else runs in at most four groups. Several parts of one
-/// run, in the order of its scenes, where there is one run only. Only files and runs with a place of their own count: a
-/// near copy is in the fold of the first scene of its place (core/learn/data/scene_copies.h). filesBegin: first scene
-/// of each file.
+/// Returns the folds: one for each file if there are several, else runs in at most four groups. A single run is split
+/// into parts, in the order of its scenes. A near copy is in the fold of the first scene of its place
+/// (core/learn/data/scene_copies.h). Files and runs with near copies only do not count. filesBegin: first scene of each
+/// file.
 template <class SceneType>
 HeldOutFolds heldOutFolds(const std::vector<SceneType>& real,
                           const std::vector<std::size_t>& filesBegin);

@@ -22,9 +22,9 @@ struct TrailPlan {
 };
 
 /// Learns the networks of the plane and of the sides (core/trail/trail_training.h), on all processors. notice: receives
-/// a sentence for each stage, for drives that are left out as copies (core/learn/data/drive_copies.h), and for scenes
-/// that repeat a place of an earlier drive (core/learn/data/scene_copies.h). Errors name the file, and the line if known.
-/// The same files and seed give the same networks.
+/// a sentence for each stage and for drives that are left out as copies (core/learn/data/drive_copies.h). It also
+/// receives one for scenes that repeat a place of an earlier drive (core/learn/data/scene_copies.h). Errors name the
+/// file, and the line if known. The same files and seed give the same networks.
 Result<TrailData> learnTrail(const TrailPlan& plan,
                              const std::function<void(const std::string&)>& notice);
 

@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// Returns the cells of a place as a truth file stores them: `most`, then the number of cells, counts, ceilings and
-/// heights, each in 4 bytes, little endian.
+/// Returns the cells of a place as a truth file stores them. The order is `most`, number of cells, counts, ceilings,
+/// heights. Each number has 4 bytes, little endian.
 std::string storedCells(const PlaceCells& cells);
 
 /// Reads them; empty: the bytes are not of this form. SceneGrid::restored() checks the values.

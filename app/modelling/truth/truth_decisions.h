@@ -40,8 +40,9 @@ inline constexpr double kMaxNudgeAlong = kMaxCellsMoved * kTruthCell;  ///< [m]
 using CellsOfRow = std::function<Result<SceneGrid>(std::size_t row)>;
 
 /// Reads a CSV with the columns row,run,decision,offset_m,tilt_rad,along_m in this order; decision is accept or
-/// exclude. The last column may be missing. Empty numbers are 0. Errors name the file and the line: another header or
-/// decision, a row that is no whole number or twice there, a nudge beyond the limits, or no whole cells along.
+/// exclude. The last column may be missing. Empty numbers are 0. Errors name the file and the line. Causes: another
+/// header or decision, a row that is no whole number or occurs twice, a nudge beyond the limits. along_m must be whole
+/// cells.
 Result<std::vector<TruthDecision>> readTruthDecisions(const std::string& path);
 
 /// Returns decisions as such a CSV. Numbers are the shortest that read back equal.
@@ -52,10 +53,10 @@ std::string truthDecisionsCsv(const std::vector<TruthDecision>& decisions);
 Status checkTruthDecisions(const LaserTruth& truth, const std::vector<TruthDecision>& decisions,
                            const std::string& path);
 
-/// Applies decisions: heights of excluded scenes become unknown, those of nudged scenes move, and the slices of the
-/// contact sheet with them. Scenes without a decision stay. A nudge along samples the heights again, from the truth's
-/// grid or else from `cells`. Errors are those of checkTruthDecisions(), then nothing is changed; or those of `cells`,
-/// then the truth is of no use.
+/// Applies decisions. Heights of excluded scenes become unknown. Heights of nudged scenes move, and the slices of the
+/// contact sheet move with them. Scenes without a decision stay. A nudge along samples the heights again, from the
+/// truth's grid or else from `cells`. An error of checkTruthDecisions() changes nothing. After an error of `cells` the
+/// truth must not be used.
 Status applyTruthDecisions(LaserTruth& truth, const std::vector<TruthDecision>& decisions,
                            const std::string& path, const CellsOfRow& cells = {});
 

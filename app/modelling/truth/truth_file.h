@@ -17,15 +17,15 @@ class SqliteFile;
 inline constexpr std::int64_t kTruthApplicationId = 0x54545431;  ///< "TTT1", of the SQLite header
 inline constexpr std::size_t kMaxTruthScenes = 20'000;
 
-/// Makes a truth file (SQLite, docs/truth.md): the robot, and every scene with its heights. It
-/// also holds why heights are missing, and the cells of each scene's cloud, from which heights and
-/// slices can be sampled again. The cells of all scenes have at most SceneGrid::kMaxSamples heights of
-/// 4 bytes. robotFile: read again. The file is complete under a temporary name: commit() renames it. Errors name the
-/// file: too many scenes, or what SQLite and file_write.h refuse.
+/// Makes a truth file (SQLite, docs/truth.md). It holds the robot, every scene with its heights, and the reasons for
+/// missing heights. It also holds the cells of each scene's cloud, so that heights and slices can be sampled again. The
+/// cells of all scenes have at most SceneGrid::kMaxSamples heights of 4 bytes. robotFile: read again. The file is
+/// complete under a temporary name: commit() renames it. Errors name the file: too many scenes, or what SQLite and
+/// file_write.h refuse.
 Result<NewFile> newTruthFile(const std::string& path, const LaserTruth& truth,
                              const std::string& robotFile);
 
-/// A truth file of any source. Scenes are read at once, cells when they are asked for. Files of the first version hold
+/// A truth file of any source. open() reads the scenes; cells are read on demand. Files of the first version hold
 /// slices to 1 mm instead of cells. One thread at a time.
 class TruthFile {
 public:
@@ -43,8 +43,8 @@ public:
     Result<std::vector<SlicePoint>> slice(std::size_t row);
     /// Returns false for a file of the first version, whose heights cannot be sampled again.
     bool hasCells() const { return version_ > 1; }
-    /// Returns the grid with the cells of a row alone, whose place is 0. Errors name the file and the row: it is of the
-    /// first version, damaged, or the scene has no place in the cloud.
+    /// Returns the grid with the cells of a row alone, whose place is 0. Errors name the file and the row. The
+    /// file is of the first version or damaged, or the scene has no place in the cloud.
     Result<SceneGrid> grid(std::size_t row);
     const std::string& path() const { return path_; }
 

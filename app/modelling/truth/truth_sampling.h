@@ -6,8 +6,8 @@
 
 namespace terratact {
 
-/// Finds the heights of both sides and of the plane in the cells of a place, with the scene's correction. `gap` says
-/// then whether any bin is known.
+/// Finds the heights of both sides and of the plane in the cells of a place, with the scene's correction. Sets
+/// SceneTruth::gap to None, or to NoCloud if no bin is known.
 void sampleTruth(SceneTruth& scene, const RobotModel& robot, const SceneGrid& grid,
                  std::size_t place, const TruthRule& rule);
 

@@ -19,8 +19,8 @@ inline constexpr std::size_t kMaxCellPoints = 12;  ///< of a cell in a slice
 inline constexpr double kSliceRear = -0.82, kSliceFront = 0.9;
 inline constexpr double kSliceBottom = -0.8, kSliceTop = 0.4;
 
-/// Returns the slice of a place with this correction: up to +0.25 m the points under the tracks, then those under the
-/// flippers. Points of a cell lie side by side.
+/// Returns the slice of a place with this correction. It has the points under the tracks up to +0.25 m, and beyond it
+/// those under the flippers. Points of a cell lie side by side.
 std::vector<SlicePoint> truthSlice(const SceneGrid& grid, const RobotModel& robot,
                                    std::size_t place, const CloudCorrection& correction);
 

@@ -29,11 +29,11 @@ std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<
 /// touched again.
 std::string ledgerText(const StripLedger& ledger);
 
-/// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]
-/// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1
-/// right), felt (order of FeltBy), section. Only the first section written keeps that frame. The strip
-/// does not hold where a later section lies from the one before. Each is moved along x alone, to begin kSectionGap
-/// ahead of the end of the one before. A comment in the file states it. section: as above.
+/// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m], sd
+/// [m], time [s], side (0 left, 1 right), felt (order of FeltBy), section. x is forward, y left, z up from the IMU of
+/// the section's first scene. Only the first section written keeps this frame. The strip does not hold the offset
+/// between two sections. A later section is therefore moved along x, to begin kSectionGap ahead of the end of the one
+/// before. A comment in the file states it. section: as above.
 std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
 }  // namespace terratact

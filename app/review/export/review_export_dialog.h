@@ -84,7 +84,7 @@ private:
     QString to_;  ///< file of the newest export; path() may have changed since
     QTimer pollTimer_;
     QString named_;   ///< last proposed name; any other name was typed by the operator
-    QString wanted_;  ///< named_ without the number that makes it free; empty: propose anew
+    QString wanted_;  ///< named_ without the number that makes it unique; empty: propose again
 
     // Qt's parents own the widgets.
     QComboBox* what_ = nullptr;

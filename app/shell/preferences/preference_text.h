@@ -10,8 +10,8 @@ namespace terratact {
 /// Returns what a preference is called in lists of changes; empty for an unknown key.
 QString preferenceLabel(const QString& key);
 
-/// Returns true if another value changes what the robot may do, when the operator is warned, or what is deleted: step
-/// and tilt limits, hazards, gamepad, robot file (with its torques), model, deletion of sessions.
+/// Returns true if the value decides what the robot may do, when the operator is warned, or what is deleted. These are
+/// step and tilt limits, hazards, gamepad, robot file (with its torques), model, and deletion of sessions.
 bool isSafetyRelevant(const QString& key);
 
 /// One changed preference in the operator's words.

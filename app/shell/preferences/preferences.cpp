@@ -51,7 +51,7 @@ void chooseTrail(LoadedPreferences& loaded)
         name(loaded.preferences.method), name(Method::Local));
 }
 
-/// Moves the file aside and reports it. If that fails, nothing may be saved.
+/// Renames the file to *.bad and reports it. If that fails, nothing may be saved.
 void setAside(const QString& path, const Message& why, LoadedPreferences& loaded)
 {
     const QString bad = path + QStringLiteral(".bad");

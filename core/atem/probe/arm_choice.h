@@ -28,7 +28,7 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
 /// Return a place for an estimate of both sides. proposeProbe() returns the place with the largest sd
-/// of both sides. chooseProbe() returns the place whose reading is expected to reduce the sum of all
+/// of both sides. chooseProbe() returns the place whose reading reduces the expected sum of all
 /// variances most. The arm reaches a side's bin if it reaches its line (RobotModel::armReaches). For
 /// an estimate of one plane, both return the bins of the functions above, in the middle.
 std::optional<ProbePlace> proposeProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);

@@ -40,7 +40,7 @@ struct Settings {
     /// (core/learn/gp/sparse_process.h).
     int inducing = 0;
     std::uint64_t seed = 1;
-    /// Probe threshold [m]: a bin with a larger sd asks for the arm (paper)
+    /// Probe threshold [m]: the arm is proposed for a bin with a larger sd (paper).
     double probeAbove = kProbeThreshold;
     double rollLimit = 0.10;  ///< roll beyond which the 2-D assumption is doubtful [rad]
     /// Difference of the left and right flipper beyond which the 2-D assumption is doubtful [rad].

@@ -10,8 +10,8 @@ namespace terratact {
 
 /// Estimate of both sides of a robot with two tracks.
 struct TwoTrackEstimate {
-    /// Left, right. Bins −0.3 … 0.2 m are those of the track's line, bins from 0.3 m on those of the
-    /// flippers' line (core/terrain/ground_lines.h). Draw k of both sides is one joint draw.
+    /// Left, right. Bins −0.3 … 0.2 m lie on the track's line, bins from 0.3 m on the flippers' line
+    /// (core/terrain/ground_lines.h). Draw k of both sides is one joint draw.
     std::array<TerrainEstimate, 2> side;
     /// True if the scene was estimated as one plane: both sides are then equal. estimateMeasured()
     /// decides it (core/infer/two_track_estimator.h), mostly by isSymmetric() (core/robot/side_plane.h).

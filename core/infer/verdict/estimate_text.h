@@ -8,10 +8,10 @@
 
 namespace terratact {
 
-/// Returns one sentence for each fact that a mean and two quantiles hide. The first is the
-/// probability of a step of more than `limit` [m] anywhere ahead, also beyond the felt horizon, and
-/// its likeliest place. Then comes every bin whose draws fall into two clusters. Empty without
-/// draws.
+/// Returns one sentence for each fact that a mean and two quantiles hide. The first has the
+/// probability and the likeliest place of a step of more than `limit` [m] anywhere ahead. That
+/// includes ground beyond the felt horizon. Then comes every bin whose draws fall into two clusters.
+/// Empty without draws.
 std::vector<Message> hiddenByBands(const TerrainEstimate& estimate, double limit = kStepLimit);
 
 /// Returns the sentences of both sides: a sentence of both as it is, "left: …" or "right: …" before

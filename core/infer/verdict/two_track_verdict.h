@@ -21,9 +21,9 @@ StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit,
                            int firstBin = kFirstAhead,
                            std::array<int, 2> lastBins = {kBins - 1, kBins - 1});
 
-/// Cross slope ahead: the roll that the robot takes where both tracks follow the estimated ground,
-///   φ_i = atan((h_left,i − h_right,i) / distance of the lines)
-/// for bins from kFirstAhead to a last bin. The lines are those of the flippers.
+/// Cross slope ahead: the roll of a robot whose tracks both follow the estimated ground,
+///   φ_i = atan((h_left,i − h_right,i) / distance of the lines).
+/// i runs from kFirstAhead to a last bin. The lines are those of the flippers.
 struct CrossSlope {
     /// [rad] median over the draws of the φ_i that leaves the least to its side's limit
     double steepest = 0.0;
@@ -77,9 +77,10 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
                           const Measurement& line, const LinkSinceScene& since, double limit);
 
 /// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
-/// answers. Where the robot's answer does not follow from those of the sides, it precedes them:
-/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane: stepVerdictMessage(). A
-/// cross slope within kAmberReserve of the tip-over angle follows: "cross slope 41° of 54°".
+/// verdicts. If the robot's verdict does not follow from those of the sides, it precedes them. An
+/// example is "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane:
+/// stepVerdictMessage(). A cross slope within kAmberReserve of the tip-over angle follows: "cross
+/// slope 41° of 54°".
 Message messageOf(const TwoTrackVerdict& verdict);
 /// Returns messageOf() in English.
 std::string describe(const TwoTrackVerdict& verdict);

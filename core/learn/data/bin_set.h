@@ -15,8 +15,8 @@ using BinSet = std::bitset<kBins>;
 
 inline constexpr BinSet kAllBins{(1ULL << kBins) - 1};
 
-/// Returns the bins that a text lists: "0-3", "0,4,10", "0-2,9-10". Empty if it is not such a list,
-/// lists no bin, lists a bin twice, or lists a bin beyond 0 … 10.
+/// Returns the bins that a text lists: "0-3", "0,4,10", "0-2,9-10". Empty unless it is such a list
+/// of bins 0 … 10, each at most once.
 std::optional<BinSet> binSetFrom(std::string_view text);
 
 /// Returns the shortest text for binSetFrom(); "none" for no bin.

@@ -19,7 +19,7 @@ inline constexpr std::size_t kMaxDriveMarks = 100'000;  ///< of one drive; later
 
 DriveMarks driveMarks(const DriveLines& drive);
 
-/// Recognises drives that came before under another name, in another number format, or with other lines. A
+/// Recognises drives that occurred before under another name, in another number format, or with other lines. A
 /// copy in training would make the errors of the drives that are kept for them too small.
 class DriveCopies {
 public:

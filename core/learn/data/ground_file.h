@@ -15,13 +15,13 @@ struct GroundFile {
 
 /// Reads ground from CSV (core/store/csv_reader.h), heights in metres, z up. A file without a
 /// column y_m is read as readProfiles() reads it (core/learn/data/profile_file.h). Each profile is
-/// then equal under every part of the robot. A header with these columns, in any order but for the
-/// last, begins a file of lines:
+/// then equal under every part of the robot. A file of lines has a header with these columns.
+/// heights_m is the last one; the others may have any order:
 ///   pair       name of the ground. Consecutive lines of the same name belong to one ground. Without
 ///              this column all lines belong to one ground.
 ///   y_m        distance of the line from the robot's middle, left positive
 ///   step_m     distance of the heights of this line; `step` without this column
-///   heights_m  last: the heights at equal steps, as many as there are. The first is at x = 0.
+///   heights_m  the heights at equal steps, as many as there are. The first is at x = 0.
 /// Other columns are ignored, and so is a line of units below the header. Lines of empty fields are
 /// ignored, and lines that begin with # and have no y. `blocks` is that of
 /// TerrainProfile::fromSamples.

@@ -14,8 +14,9 @@
 namespace terratact {
 
 /// Scenes sorted for training. An exact copy adds no information and is left out. A near copy
-/// measures a place again: it is a training row, but no second place. A likelihood, or a residual
-/// without one row alone, would count it as a second place. σ_n and the bands would then shrink.
+/// measures a place again: it is a training row, but no second place. A likelihood over all rows
+/// would count it as a second place. So would a residual that leaves out one row only. σ_n and the
+/// bands would then shrink.
 struct SceneCopies {
     std::vector<const Scene*> kept;     ///< first scene of each place, in order
     std::vector<const Scene*> repeats;  ///< near copies of a kept scene (isNearCopy), in order

@@ -13,8 +13,8 @@ namespace terratact {
 ///   own front, own rear, other front and other rear flipper angle;
 ///   own front, own rear, other front and other rear current;
 ///   own forces 1 … 6; other forces 1 … 6
-/// One set of processes serves both sides, because a mirrored robot on mirrored ground reads the
-/// same features.
+/// One set of processes serves both sides: a mirrored robot on mirrored ground reads the same
+/// features.
 inline constexpr std::size_t kSideFeatures = 22;
 inline constexpr std::size_t kFirstSideCurrent = 6, kFirstSideForce = 10;
 

@@ -8,12 +8,11 @@
 namespace terratact {
 
 /// Serialises OpenBLAS where memory is limited (core/base/memory_limit.h). One thread at a time may
-/// call it. The first call ensures that OpenBLAS gets its buffer. OpenBLAS asks for 128 MB for each
-/// calling thread, and retries for ever if that is refused. Without a memory limit this does
-/// nothing.
+/// call it. The first call ensures that OpenBLAS gets its buffer. OpenBLAS allocates 128 MB for each
+/// calling thread, and retries forever if that fails. Without a memory limit this does nothing.
 class BlasTurn {
 public:
-    /// Throws std::runtime_error with outOfMemory() if there is no room for the buffer.
+    /// Throws std::runtime_error with outOfMemory() if the buffer cannot be allocated.
     BlasTurn();
 
 private:

@@ -48,7 +48,7 @@ public:
 
     /// Returns the residuals of both sides, as localResiduals() does. They are from the kNeighbours
     /// training scenes nearest to the left side's features. A scene and its mirror image count as
-    /// two scenes of one place, and D weighs own and other side alike. Errors of both sides
+    /// two scenes of one place. D weighs own and other side alike. Errors of both sides
     /// correlate; these vectors keep that. right: the model of the right side, which may lack other
     /// features of the same training rows.
     ResidualSample sideResiduals(const ClearanceModel& right, const Eigen::VectorXd& leftFeatures,

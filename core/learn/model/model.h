@@ -60,13 +60,13 @@ struct SurfaceData {
     std::vector<unsigned> unknownBins;
     ClearanceData clearance;
     /// Number of the last rows that measure a place of an earlier row again (scene_copies.h). 0:
-    /// every row counts as a place of its own, as in models from before this number existed.
+    /// every row counts as another place, as in models that older versions wrote.
     int repeats = 0;
 };
 
 /// Trained model over U training rows of one plane: features in the order of featureNames(Paf); Pa
-/// uses the first three columns. The conditionals `pa` and `paf` use the first V ≤ U rows, whose
-/// heights are all known, as a scanner reports them. `clearance` uses all rows.
+/// uses the first three columns. The heights of the first V ≤ U rows are all known, as a scanner
+/// reports them. The conditionals `pa` and `paf` use these rows, `clearance` uses all.
 struct ModelData : SurfaceData {
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;

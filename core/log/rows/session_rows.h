@@ -76,7 +76,7 @@ struct SceneRow {
     std::optional<Heights> truth{};  ///< true heights, if the source knows them
     /// True heights of each side: left, right (sideHeights(), core/terrain/ground_lines.h).
     std::optional<std::array<Heights, 2>> sideTruth{};
-    /// What the way before told of the scene; empty: nothing was recorded, or nothing was known.
+    /// Memory of the way before the scene; empty: nothing was recorded, or nothing was known.
     std::optional<TrailHistory> memory{};
     bool operator==(const SceneRow&) const = default;
 };
@@ -130,7 +130,7 @@ struct ProposalRow {
     int bin = 0;
     ProbeSide side = ProbeSide::Middle;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = 0.0;       ///< probe threshold: sd that asks for the arm [m]
+    double limit = 0.0;       ///< probe threshold: sd above which the arm is proposed [m]
     double armSd = 0.0;       ///< [m]
     double seconds = 0.0;     ///< expected duration [s]
     double stepLimit = 0.0;   ///< step limit of the question [m]
@@ -155,7 +155,7 @@ enum class EventKind : std::uint8_t {
     Forgotten,  ///< the estimate is not valid any more; text: why
     /// a silence longer than kMaxSilence since the scene, or since the last estimate was left
     TelemetryGap,
-    Override,  ///< text: what the operator has overridden from now on; empty: nothing
+    Override,  ///< text: what the operator overrides since this event; empty: nothing
     Alarm,     ///< subject: its id; text; number: 0 gone, 1 returned, 2 acknowledged, 3 raised
     Panel,     ///< contact of the operator's panel; subject: which; number: 1 closed, 0 open
     Marker,    ///< marker that the operator set; text: a note

@@ -19,8 +19,8 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{16} * 1024;
-/// A log with times shrinks to a twentieth. gzip shrinks equal bytes to a thousandth, and such a
-/// small file would take minutes to read.
+/// gzip shrinks a log with times to a twentieth. It shrinks equal bytes to a thousandth, so that a
+/// small file could take minutes to read.
 constexpr std::uint64_t kMaxGrowth = 200;
 constexpr std::uint64_t kSmall = std::uint64_t{64} << 20;  // [bytes] unpacked, whatever the growth
 
@@ -125,7 +125,7 @@ void LogBytes::consume(std::size_t bytes)
     at_ += std::min(bytes, block_.size() - at_);
 }
 
-/// Detects the encoding by the first bytes: gzip, a byte order mark, or letters of two bytes.
+/// Detects the encoding by the first bytes: gzip, a byte order mark, or characters of two bytes.
 Status LogBytes::begin()
 {
     hasBegun_ = true;
@@ -160,7 +160,7 @@ Status LogBytes::begin()
     return Done{};
 }
 
-/// Adds letters of UTF-16. Only ASCII letters matter in a log.
+/// Adds characters of UTF-16. Only ASCII characters matter in a log.
 void LogBytes::addWide(std::string_view bytes)
 {
     half_ += bytes;

@@ -182,7 +182,7 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
-TEST_F(BusConsole, coloursAndLettersChangeOnceTheRobotStands)
+TEST_F(BusConsole, coloursAndFontChangeOnceTheRobotStands)
 {
     open();
     const auto change = [this](ThemeName theme, int scale) {

@@ -379,7 +379,7 @@ TEST_F(BusConsole, aKerbOnTheLeftIsProbedOnASideOverTheBus)
     const TerrainProfile kerb({{0.0, 0.0}, {2.499, 0.0}, {2.5, 0.16}, {6.0, 0.16}});
     SimulatedRobot::Options simulation;
     simulation.startX = 1.96;
-    // The number of frames that came decides the draws of the noise. A tenth of it decides no verdict.
+    // The number of received frames decides the draws of the noise. A tenth of the usual noise cannot change a verdict.
     simulation.noise = {.pitch = 8.7e-4,
                         .flipperAngle = 1.7e-4,
                         .current = 5e-3,

@@ -82,7 +82,7 @@ struct GamepadConsole : BusConsole {
     {
         return std::make_unique<CountedGamepad>(openSdlGamepad(), reads);
     }
-    /// Lets the console see the present state of the pad: the second read from now on has it, then the window looks.
+    /// Waits until the console has read the present state of the pad, and the window has polled.
     void settle() const
     {
         const int seen = *reads;
@@ -107,7 +107,7 @@ struct GamepadConsole : BusConsole {
         holdsThenPushes();
         return eventually([&] { return forward()->isHeld(); }, 3000);
     }
-    /// Returns true if the robot was told to halt and the pad, as it is held, drives no more.
+    /// Returns true if the robot got a halt command and the held pad drives no more.
     bool haltsForGood()
     {
         if (!eventually([&] { return !forward()->isHeld(); }, 3000)) return false;

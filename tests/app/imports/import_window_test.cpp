@@ -103,7 +103,7 @@ TEST_F(ImportBench, shippedMappingMakesASession)
     EXPECT_EQ(made.count(), 1) << "an existing file is not overwritten";
 }
 
-TEST_F(ImportBench, checkListsWhatIsDoubtful)
+TEST_F(ImportBench, checkListsTheWarnings)
 {
     ASSERT_TRUE(opensAndSurveys());
     choose("simulated_robot.toml");

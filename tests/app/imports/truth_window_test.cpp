@@ -84,7 +84,7 @@ TEST_F(TruthBench, sceneShowsCloudRobotAndBins)
         << page->sceneLabel()->text().toStdString();
 }
 
-TEST_F(TruthBench, keysDecideAndGoOn)
+TEST_F(TruthBench, keysDecideAndShowTheNextScene)
 {
     open();
     press(Qt::Key_X);

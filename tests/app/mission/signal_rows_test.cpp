@@ -76,7 +76,7 @@ TEST(Trace, textsOfDbcFilesAreNotTranslated)
     ASSERT_TRUE(book->add(dir.write("theirs.dbc", "BO_ 1200 Gearbox: 1 G\n"
                                                   " SG_ Gear : 0|8@1+ (1,0) [0|1] \"\" D\n"
                                                   "VAL_ 1200 Gear 0 \"stopped\" 1 \"no\" ;\n")));
-    EXPECT_EQ(traceWords({.id = 1200, .length = 1}, book).content, "Gear stopped");
+    EXPECT_EQ(traceText({.id = 1200, .length = 1}, book).content, "Gear stopped");
     EXPECT_NE(translated(TR_NOOP("core", "stopped")), "stopped")
         << "a word of the robot's, elsewhere";
     installLanguage(*qApp, "en");

@@ -94,7 +94,7 @@ TEST_F(UnevenBench, theVerdictIsOfEachSide)
     EXPECT_TRUE(says("left: a step of more than"));
 }
 
-TEST_F(UnevenBench, rollIsNoDoubtBeforeAnExploration)
+TEST_F(UnevenBench, rollGivesNoWarningBeforeAnExploration)
 {
     const auto level = [this] { return exploration->preconditions().back().level; };
     EXPECT_EQ(level(), Precondition::Level::Met);

@@ -51,7 +51,7 @@ SimulatedRobot::Options atStart()
     return options;
 }
 
-TEST(MemoryText, TellsHowOftenBandsHeld)
+TEST(MemoryText, CountsHowOftenBandsHeld)
 {
     const Message words(TR_NOOP("terratact::Estimation", "no memory: %1"), verbatim("x"));
     EXPECT_EQ(withLedger(words, {}), words) << "nothing was touched again";
@@ -88,7 +88,7 @@ TEST_F(OneGround, ADriveIsRemembered)
     EXPECT_EQ(eventText().find("begins anew"), std::string::npos) << eventText();
 }
 
-TEST_F(OneGround, LostTelemetryBeginsAnew)
+TEST_F(OneGround, LostTelemetryClearsTheMemory)
 {
     driveBy(0.6);
     loseTelemetry(1.5);
@@ -102,7 +102,7 @@ TEST_F(OneGround, LostTelemetryBeginsAnew)
     EXPECT_LT(estimation().scene()->memory.history->way, 0.5);
 }
 
-TEST_F(OneGround, TurningOnTheSpotBeginsAnew)
+TEST_F(OneGround, TurningOnTheSpotClearsTheMemory)
 {
     driveBy(0.6);
     double turned = 0.0;

@@ -191,7 +191,7 @@ TEST(LiveSignals, keepEveryFrameOfChosenSignals)
     EXPECT_EQ(all(signals, "telemetry:pitch").count, 0U) << "not chosen";
 }
 
-TEST(LiveSignals, choosingAnewKeepsWhatStays)
+TEST(LiveSignals, aNewChoiceKeepsTheSignalsOfBoth)
 {
     LiveSignals signals(0.0);
     Measurement m;

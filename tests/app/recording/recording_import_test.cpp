@@ -203,7 +203,7 @@ TEST_F(ImportedSessions, anExistingSessionIsKept)
     EXPECT_EQ(contentOf(directory.file("a.tts")), "mine");
 }
 
-TEST_F(ImportedSessions, whatIsLeftOutOrDoubtfulIsSaid)
+TEST_F(ImportedSessions, remarksNameLeftOutAndDoubtfulData)
 {
     const auto remarksOf = [this](const std::string& rows, const std::string& name) {
         const auto done =

@@ -162,7 +162,7 @@ TEST_F(SessionFolder, isNeverRelative)
     if (home) ::setenv("HOME", before.c_str(), 1);
 }
 
-TEST_F(SessionFolder, anOpenSessionIsNoneOfThoseThatCount)
+TEST_F(SessionFolder, anOpenSessionDoesNotCount)
 {
     std::filesystem::create_directories(folder);
     auto closed = someSession(folder + "/1.tts", 100);

@@ -45,8 +45,8 @@ void lookAtEachPage(ConsoleWindow& window, NavigationRail& rail,
     }
 }
 
-struct LettersOfTheConsole : BusConsole {
-    ~LettersOfTheConsole() override
+struct ConsoleFont : BusConsole {
+    ~ConsoleFont() override
     {
         window.reset();
         robot.reset();
@@ -55,7 +55,7 @@ struct LettersOfTheConsole : BusConsole {
     }
 };
 
-TEST_F(LettersOfTheConsole, cutNothingOnAnyPageInAnyLanguage)
+TEST_F(ConsoleFont, cutNothingOnAnyPageInAnyLanguage)
 {
     for (const char* language : kLanguages) {
         window.reset();
@@ -76,8 +76,8 @@ TEST_F(LettersOfTheConsole, cutNothingOnAnyPageInAnyLanguage)
     }
 }
 
-struct LettersOfAReview : ReviewOf {
-    ~LettersOfAReview() override
+struct ReviewFont : ReviewOf {
+    ~ReviewFont() override
     {
         window.reset();
         installLanguage(*qApp, "en");
@@ -85,7 +85,7 @@ struct LettersOfAReview : ReviewOf {
     }
 };
 
-TEST_F(LettersOfAReview, cutNothingOnAnyPageInAnyLanguage)
+TEST_F(ReviewFont, cutNothingOnAnyPageInAnyLanguage)
 {
     record();
     for (const char* language : kLanguages) {
@@ -105,12 +105,12 @@ TEST_F(LettersOfAReview, cutNothingOnAnyPageInAnyLanguage)
     }
 }
 
-TEST(LettersOfTables, resizeRowsAndColumnsOfExistingTables)
+TEST(TableFont, resizeRowsAndColumnsOfExistingTables)
 {
     applyLook(*qApp);
     RawTrace trace(
         [](const CanFrame&) {
-            return TraceWords{"022", "Attitude", "[8]", "words"};
+            return TraceText{"022", "Attitude", "[8]", "words"};
         },
         [](const CanFrame&) { return QString(); });
     SignalTable table;
@@ -144,7 +144,7 @@ std::pair<int, int> lettersThatFit(int wanted, QSize room, const std::function<Q
     return {percent, tries};
 }
 
-TEST(Letters, areTheLargestThatFit)
+TEST(FontFit, areTheLargestThatFit)
 {
     const auto fits = [](int wanted, QSize room) {
         return lettersThatFit(wanted, room,
@@ -158,7 +158,7 @@ TEST(Letters, areTheLargestThatFit)
     EXPECT_EQ(fits(200, {100, 100}), std::pair(kSmallestFont, 2)) << "smaller there are none";
 }
 
-TEST(Letters, areTheLargestThatFitWithFixedSizeParts)
+TEST(FontFit, areTheLargestThatFitWithFixedSizeParts)
 {
     for (int room = 900; room < 1700; room += 7) {
         const auto needs = [](int percent) { return QSize(5 * percent, 700 + 4 * percent); };

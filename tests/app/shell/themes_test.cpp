@@ -86,8 +86,8 @@ gui::Rgb lab(const gui::Rgb& c)
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-/// Simulates dichromatic vision, from Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of
-/// color vision deficiency", IEEE TVCG 15 (2009), severity 1.
+/// Simulates dichromatic vision, severity 1. Source: Machado, Oliveira and Fernandes, "A physiologically-based model
+/// for simulation of color vision deficiency", IEEE TVCG 15 (2009).
 constexpr std::array<std::array<std::array<double, 3>, 3>, 3> kDeficiencies{
     {{{{0.152286, 1.052583, -0.204868},
        {0.114503, 0.786281, 0.099216},

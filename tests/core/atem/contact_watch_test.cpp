@@ -73,7 +73,7 @@ TEST_F(Contacts, areKeptForEachElementAlone)
     EXPECT_EQ(watch.state().strongest(Flipper::FrontLeft)->element, 3);
 }
 
-TEST_F(Contacts, beginAnewAfterSilenceAndAfterAJumpOfTheClock)
+TEST_F(Contacts, resetAfterSilenceAndAfterAJumpOfTheClock)
 {
     ASSERT_TRUE(touches(3.0));
     EXPECT_FALSE(touches(1.5, 4, kMaxSilence + 0.1)) << "it may have moved";
@@ -241,7 +241,7 @@ TEST(SpeedMeter, aResetOfTheOdometryIsNoSpeed)
     EXPECT_FALSE(meter.speed());
 }
 
-TEST(SpeedMeter, beginsAnewWithoutOdometryAndAfterSilence)
+TEST(SpeedMeter, resetsWithoutOdometryAndAfterSilence)
 {
     SpeedMeter meter;
     const auto drive = [&] {

@@ -149,7 +149,7 @@ TEST(LaserTruth, offsetIsFoundAndRemoved)
     }
 }
 
-TEST(LaserTruth, tiltOfTheRobotIsTold)
+TEST(LaserTruth, tiltOfTheRobotIsReported)
 {
     const double error = 0.03;
     const LaserDrive drive(GroundLines(flat(0.0)), {.noise = 0.005}, {}, error);

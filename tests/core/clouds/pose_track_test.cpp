@@ -48,7 +48,7 @@ TEST_F(Poses, tumIsInterpolatedWithinTheGap)
     EXPECT_FALSE(track.at(20.1));
 }
 
-TEST_F(Poses, unitsAreDoubted)
+TEST_F(Poses, doubtfulUnitsAreReported)
 {
     const auto drive = [](double unit, double length) {
         std::string text;

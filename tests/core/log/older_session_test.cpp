@@ -149,7 +149,7 @@ TEST_F(OlderSession, withoutMessagesReadsTheSame)
     EXPECT_EQ(estimate.warnings[0], Message::verbatim("the chains have not converged"));
 }
 
-TEST_F(OlderSession, aSceneHasTheMeansOfItsSidesAlone)
+TEST_F(OlderSession, aSceneHasOnlyTheMeansOfItsSides)
 {
     for (const std::string& path : {kDemo, version2(), withoutMessages()}) {
         const SessionReader session = opened(path);

@@ -1,4 +1,4 @@
-// A review shows at each time what the file says, whatever was asked before.
+// Tests that a review shows the file's state at each time, in any order of times.
 #include "core/log/review_moment.h"
 
 #include <gtest/gtest.h>

@@ -295,7 +295,7 @@ TEST_F(SeriesFiles, transformsGiveWayAndHeading)
     EXPECT_TRUE(remarks.empty()) << remarks.front();
 }
 
-TEST_F(SeriesFiles, framesThatAreMissingAreTold)
+TEST_F(SeriesFiles, missingFramesAreReported)
 {
     const auto found =
         lines(movingBase().file(),

@@ -1,4 +1,4 @@
-// Tests what is found in a recording: survey, proposed mapping, doubts.
+// Tests the survey of a recording, the proposed mapping and the warnings.
 #include "core/mapping/recording_check.h"
 
 #include <gtest/gtest.h>

@@ -120,7 +120,7 @@ TEST(TransformTree, brokenTransformsAreIgnored)
     EXPECT_EQ(tree.links(), "none");
 }
 
-TEST(TransformTree, framesThatNobodyWantsTakeNoMemory)
+TEST(TransformTree, unusedFramesTakeNoMemory)
 {
     TransformTree tree;
     tree.want("imu");

@@ -70,7 +70,7 @@ TEST(Attitude, IsJudgedByTheOperatorsLimits)
     EXPECT_EQ(attitudeOf(tilted(31.0, -21.0), absolem(), limits).roll, AttitudeLevel::Amber);
 }
 
-TEST(Attitude, TellsTheTipOverAngleFromItsReserve)
+TEST(Attitude, DistinguishesTipOverFromItsReserve)
 {
     EXPECT_FALSE(attitudeOf(tilted(45.0, 0.0), absolem(), {}).beyondTipping);
     EXPECT_TRUE(attitudeOf(tilted(60.0, 0.0), absolem(), {}).beyondTipping);

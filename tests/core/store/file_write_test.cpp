@@ -135,7 +135,7 @@ TEST(WriteFileAtomically, writesNoTemporaryThroughALink)
     EXPECT_EQ(contentOf(path), "old");
 }
 
-/// Returns the permissions of a file, and those of it once it is replaced for `again`, with a umask of 022.
+/// Returns the permissions of a file written for `first`, and after its replacement for `again`. The umask is 022.
 std::pair<mode_t, mode_t> modesOf(Access first, Access again)
 {
     const TemporaryDirectory dir;

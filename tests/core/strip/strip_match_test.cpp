@@ -27,7 +27,7 @@ TEST(StripMatch, findsTheErrorOfTheWay)
     EXPECT_LT(std::sqrt(offset.covariance.xx), 0.001);
 }
 
-TEST(StripMatch, levelGroundTellsOfTheHeightAlone)
+TEST(StripMatch, levelGroundCorrectsOnlyTheHeight)
 {
     const std::vector<MatchedBin> bins(8, seen(0.0, {0.02, -0.03}));
     const PoseOffset offset = matched(kPrior, bins);

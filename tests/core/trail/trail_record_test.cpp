@@ -91,7 +91,7 @@ TEST_F(TrailRecordTest, KnowsItsWayUpToTheReach)
     EXPECT_EQ(record.before(line).way, kTrailReach);
 }
 
-TEST_F(TrailRecordTest, TellsThePitchAlongTheWay)
+TEST_F(TrailRecordTest, ReturnsThePitchAlongTheWay)
 {
     drive(0.6);
     line.pitch = 0.2;
@@ -221,7 +221,7 @@ TEST_F(TrailRecordTest, AWayBackLeavesTheHistoryOfTheWayThere)
     EXPECT_EQ(record.length(), 0.0);
 }
 
-TEST_F(TrailRecordTest, TurningLeavesTheFeltGroundAside)
+TEST_F(TrailRecordTest, TurningMovesFeltGroundOutOfTheWay)
 {
     drive(0.6);
     record.addScene(pressFlat());
@@ -464,7 +464,7 @@ TEST_F(TrailRecordTest, AFlickerWhileStandingForgetsNothing)
     EXPECT_NEAR(history.ground[0].armSd[9], expected.ground[0].armSd[9], 1e-3);
 }
 
-TEST_F(TrailRecordTest, MoreTelemetryTellsTheSame)
+TEST_F(TrailRecordTest, MoreTelemetryGivesTheSameHistory)
 {
     TrailRecord dense(robot);
     Measurement at = line;

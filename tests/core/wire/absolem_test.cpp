@@ -177,7 +177,7 @@ TEST_F(OnAbsolemsBus, aReplyNeedsTheHeaderOfItsRequest)
     EXPECT_EQ(receive(reply(Node::RearRight, "px", 7)), Verdict::NotAsked) << "before it was asked";
 }
 
-TEST_F(OnAbsolemsBus, capitalsAnswerSmallLettersAndSettingAnswersToo)
+TEST_F(OnAbsolemsBus, capitalsAnswerLowerCaseAndSettingAnswersToo)
 {
     receive(query(Node::RearRight, "px"));
     EXPECT_EQ(receive(reply(Node::RearRight, "PX", 7)), Verdict::Used);

@@ -220,7 +220,7 @@ TEST_F(DriveStripShown, radiansTakeNoMoreRoomThanDegrees)
     EXPECT_EQ(inRadians.text(DriveStrip::Pitch), QStringLiteral("−1.550 rad")) << "spoken in full";
 }
 
-TEST_F(DriveStripShown, aLongTextGetsSmallerLetters)
+TEST_F(DriveStripShown, aLongTextGetsASmallerFont)
 {
     FlipperContacts rear = pressed();
     rear.flippers[indexOf(Flipper::RearLeft)][0] = {4.0, true};

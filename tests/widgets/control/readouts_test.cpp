@@ -28,7 +28,7 @@
 namespace terratact {
 namespace {
 
-TEST(Words, aToneEndsAlsoAfterAChangeOfLetters)
+TEST(Words, aToneEndsAlsoAfterAChangeOfFont)
 {
     applyLook(*qApp, ThemeName::Day, 100);
     PlainLabel label;

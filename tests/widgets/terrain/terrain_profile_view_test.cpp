@@ -190,7 +190,7 @@ TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
     }
 }
 
-TEST_F(TerrainView, theArmAvoidsTheZonesWordsAtEverySizeOfLetters)
+TEST_F(TerrainView, theArmAvoidsTheZonesTextAtEveryFontSize)
 {
     const auto* const zones = itemOf<BinZones>(view);
     const auto* const arm = itemOf<ArmMark>(view);

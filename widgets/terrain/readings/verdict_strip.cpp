@@ -129,7 +129,7 @@ QString clearText(const Verdict& verdict)
         VerdictStrip::tr("felt to %1 ahead of the IMU, risk below %2 %").arg(to, risk), verdict);
 }
 
-/// Returns what is not felt, and what besides a probe would help.
+/// Returns which ground is not felt, and which action besides a probe would help.
 QString shortfallText(const Verdict& verdict)
 {
     QString text = withUnfelt(translated(describe(verdict.shortfall)), verdict);

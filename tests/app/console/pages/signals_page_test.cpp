@@ -88,7 +88,7 @@ TEST(Filter, takesAnIdentifierOrAPartOfTheName)
 
 TEST(RawTraceWidget, showsTheNewestFirstFiltersAndHolds)
 {
-    RawTrace trace([](const CanFrame&) { return TraceWords(); },
+    RawTrace trace([](const CanFrame&) { return TraceText(); },
                    [](const CanFrame& f) { return f.id == 0x22 ? "Attitude" : "other"; });
     const auto frames = [](std::uint32_t id, std::uint64_t count) {
         std::vector<TracedFrame> made;

@@ -116,7 +116,7 @@ TEST_F(SecondWindow, leavesTheHeaderFreeOnTheOnlyScreen)
     EXPECT_FALSE(second.frameGeometry().intersects(header)) << "opened again";
 }
 
-TEST_F(SecondWindow, followsThemeAndLetters)
+TEST_F(SecondWindow, followsThemeAndFont)
 {
     openBoth();
     for (const Qt::Key key : {Qt::Key_5, Qt::Key_4}) {

@@ -130,7 +130,7 @@ TEST_F(PadFollowing, aSecondStopWhileTheFirstIsHeldCounts)
     EXPECT_TRUE(poll().stop);
 }
 
-/// Holds every control and drives; then does what must void all of it.
+/// Holds every control and drives. An event must then cancel each control until it is released.
 struct HeldThrough : PadFollowing {
     void holdAll()
     {

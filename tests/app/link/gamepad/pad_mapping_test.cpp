@@ -22,7 +22,7 @@ GamepadState stickAt(double value)
     return state;
 }
 
-TEST(PadMapping, defaultGivesEveryActionAControlOfItsOwn)
+TEST(PadMapping, defaultGivesEveryActionAnotherControl)
 {
     const PadMapping mapping;
     std::set<std::string> used;

@@ -96,7 +96,7 @@ TEST(RobotCalibration, findsANotherRobotWithinTwoSd)
     EXPECT_LE(beyond, of / 10);
 }
 
-TEST(RobotCalibration, sidesOfPressedFlippersAreTold)
+TEST(RobotCalibration, namesTheSidesOfPressedFlippers)
 {
     FloorRobot truth{.robot = absolem()};
     truth.encoders = {0.05, 0.01, 0.0, 0.0};

@@ -24,7 +24,7 @@
 namespace terratact {
 namespace {
 
-/// A robot that stands level on a floor with a step ahead, beyond its flippers, at times 0, 1, 2 s and 0.1 m apart.
+/// A robot stands level on a floor at times 0, 1, 2 s, 0.1 m apart. A step lies ahead, beyond its flippers.
 struct LaserFiles : testing::Test {
     void SetUp() override
     {
@@ -146,7 +146,7 @@ TEST_F(LaserFiles, cloudsThatTellNothingAreNamed)
                         {"no point lies under a scene", "the robot within x", "in mm?"}));
 }
 
-TEST_F(LaserFiles, clocksThatDifferAreToldWithBothSpans)
+TEST_F(LaserFiles, clocksThatDifferAreReportedWithBothSpans)
 {
     options.start.reset();
     EXPECT_TRUE(refused(laserTruth(options), options.poses,
@@ -355,7 +355,7 @@ TEST_F(TransformFiles, cloudsInTheFrameOfThePosesAreMaps)
     EXPECT_LT(worst(*truth), 0.022);
 }
 
-TEST_F(TransformFiles, missingFramesAreTold)
+TEST_F(TransformFiles, missingFramesAreReported)
 {
     options.tfBase = "robot";
     write();
@@ -368,7 +368,7 @@ TEST_F(TransformFiles, missingFramesAreTold)
                         {"no transforms from 'world' to 'base_link'", "[odometry]"}));
 }
 
-TEST_F(TransformFiles, cloudsOfAnotherClockAreTold)
+TEST_F(TransformFiles, cloudsOfAnotherClockAreReported)
 {
     mcap.channel(4, 1, "/late", "cdr");
     mcap.message(4, 9, cloudMessageBytes(points, kClock + 7200.0, true));

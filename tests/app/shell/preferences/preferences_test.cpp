@@ -217,7 +217,7 @@ TEST_F(PreferencesFile, oneBadValueLeavesTheOthers)
     EXPECT_EQ(loaded.troubles.size(), 1U);
 }
 
-TEST_F(PreferencesFile, anUnreadableFileIsMovedAside)
+TEST_F(PreferencesFile, anUnreadableFileIsRenamed)
 {
     std::string noise;
     for (int i = 0; i < 4096; ++i) noise += static_cast<char>((i * 7919 + i / 3) & 0xff);

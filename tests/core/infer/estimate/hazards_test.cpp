@@ -76,7 +76,7 @@ double probabilityOf(double offset, bool isCovered, double rate)
     return hazardProbability(offset, 0.03, logDensity, isCovered, rate);
 }
 
-TEST(Hazards, aFarReadingTellsOfAHazard)
+TEST(Hazards, aFarReadingIndicatesAHazard)
 {
     EXPECT_LT(probabilityOf(0.03, false, 0.05), 0.001);
     EXPECT_GT(probabilityOf(-0.3, false, 0.05), 0.999);
@@ -88,7 +88,7 @@ TEST(Hazards, aFarReadingTellsOfAHazard)
     EXPECT_GT(probabilityOf(-0.12, false, 0.05), probabilityOf(-0.12, false, 0.01));
 }
 
-TEST(Hazards, aMeasuredDropStandsAndGoesOn)
+TEST(Hazards, aMeasuredDropStaysAndContinuesAhead)
 {
     TerrainEstimate e = flatEstimate();
     e.touch[9] = Touch::FeltInPart;

@@ -158,7 +158,7 @@ TEST(Verdict, oldRecordingHasNoHorizon)
     EXPECT_EQ(stepVerdictMessage(v).english(), "CLEAR");
 }
 
-TEST(Verdict, isWithheldForEachSingleDoubt)
+TEST(Verdict, isWithheldForEachSingleReason)
 {
     struct Case {
         WithholdReason reason;

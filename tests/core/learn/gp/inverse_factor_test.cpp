@@ -103,8 +103,8 @@ TEST(InverseFactor, isPackedOnceForAllThreads)
 
 struct Stopped {};
 
-/// Returns true if a caller is polled, and can leave, while another one is inside `held`, which
-/// calls its argument there.
+/// Returns true if a caller is polled, and can leave, while another one is inside `held`. `held`
+/// calls its argument inside.
 bool canLeaveWhileAnotherIsInside(const std::function<void(const std::function<void()>&)>& held,
                                   const std::function<void(const Poll&)>& get)
 {

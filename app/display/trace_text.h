@@ -5,7 +5,7 @@
 namespace terratact {
 
 /// The texts of one frame.
-struct TraceWords {
+struct TraceText {
     QString id, name, bytes, content;
 };
 

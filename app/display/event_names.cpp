@@ -6,8 +6,8 @@
 namespace terratact {
 namespace {
 
-// Names that events of a session hold, and the only place where they become shown text. core/atem/arming.cpp marks
-// those of arming.
+// Names that events of a session hold. They become shown text here only. core/atem/arming.cpp marks the names of
+// arming for translation.
 [[maybe_unused]] constexpr const char* kEventNames[] = {
     // What the link did, and what the operator decided.
     QT_TRANSLATE_NOOP("event", "up"),

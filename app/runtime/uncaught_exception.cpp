@@ -1,4 +1,4 @@
-#include "app/runtime/last_words.h"
+#include "app/runtime/uncaught_exception.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Tests the sentence of a program that ends for an exception in a thread.
-#include "app/runtime/last_words.h"
+// Tests the sentence of a program that an uncaught exception of a thread ends.
+#include "app/runtime/uncaught_exception.h"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,13 @@ namespace {
     std::abort();
 }
 
-TEST(LastWords, nameTheShortageOfAThread)
+TEST(UncaughtException, namesTheShortageOfAThread)
 {
     EXPECT_DEATH(failIn([] { throw std::bad_alloc(); }),
                  "^terratact-console: this work needs more memory than there is");
 }
 
-TEST(LastWords, areWhatAnExceptionOfAThreadSays)
+TEST(UncaughtException, printsWhatAThreadThrew)
 {
     EXPECT_DEATH(failIn([] { throw std::runtime_error("the disk is gone\x1b[2J"); }),
                  "^terratact-console: the disk is gone.\\[2J\n$");
