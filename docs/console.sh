@@ -12,8 +12,8 @@ folder=$(mktemp -d)
 export XDG_RUNTIME_DIR=$folder
 trap 'rm -rf "$ran" "$folder"' EXIT
 
-# Runs one test of the soak program for some seconds, with the given or the default method, and writes its output below
-# its command. A failure ends the script.
+# Runs one test of the soak program for some seconds, with the given or the default method. Writes its output below its
+# command. A failure ends the script.
 soak() {
   local what=$1 long=$2 method=${3:+TERRATACT_SOAK_METHOD=$3}
   echo "> TERRATACT_SOAK_SECONDS=$long${method:+ $method} app.console.soak_test --gtest_filter='$what'" >>"$ran"

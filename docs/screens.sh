@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
-# simulated robot, also on ground that differs left and right, the review of the shipped session, and nine states of
-# tests/app/console/screens/screens_test.cpp. Needs imagemagick to make the files smaller.
+# simulated robot, also on ground that differs left and right, and the review of the shipped session. Nine states come
+# from tests/app/console/screens/screens_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."
