@@ -42,6 +42,10 @@ CLI::Option* addDrives(CLI::App& c, SimulateOptions& o)
     addNumber(c, "--slip", o.way.slipShare, "Sd of the tracks' slip, as a share of the way")
         ->check(CLI::Range(0.0, 1.0))
         ->needs(drives);
+    addNumber(c, "--drive-slip", o.way.driveSlip,
+              "Sd of the odometry's error common to a whole drive, as a share of the way")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(drives);
     addNumber(c, "--pitch-bias", o.pitchBiasDegrees, "Added to every reading of pitch [degrees]")
         ->check(CLI::Range(-45.0, 45.0))
         ->needs(drives);

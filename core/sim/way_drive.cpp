@@ -115,6 +115,7 @@ public:
     std::vector<DriveLine> along(const std::vector<double>& stops, int& skipped)
     {
         x_ = stops.front();
+        drawCommonSlip();
         drawSlip();
         for (const double stop : stops) {
             const bool rests = driveTo(stop);
@@ -127,6 +128,14 @@ public:
     }
 
 private:
+    /// Draws the slip common to the drive from a seed of its own: the other draws do not change.
+    void drawCommonSlip()
+    {
+        std::mt19937_64 copy = rng_;
+        std::mt19937_64 own(~copy());
+        commonSlip_ = setting_.options.driveSlip * std::normal_distribution<double>()(own);
+    }
+
     void drawSlip()
     {
         slip_ = setting_.options.slipShare * std::normal_distribution<double>()(rng_);
@@ -154,7 +163,7 @@ private:
         if (!rest) return false;
         way_.continueFrom(*rest);
         const Pose base = Way::base(*rest);
-        if (last_) travelled_ += (1.0 + slip_) * trackWay(*last_, base);
+        if (last_) travelled_ += (1.0 + commonSlip_) * (1.0 + slip_) * trackWay(*last_, base);
         last_ = base;
         add(*rest, RobotActivity::Driving);
         return true;
@@ -187,7 +196,7 @@ private:
     Way way_;
     std::mt19937_64& rng_;
     std::vector<DriveLine> lines_;
-    double x_ = 0.0, time_ = 0.0, travelled_ = 0.0, slip_ = 0.0;
+    double x_ = 0.0, time_ = 0.0, travelled_ = 0.0, slip_ = 0.0, commonSlip_ = 0.0;
     std::optional<Pose> last_;
 };
 
@@ -206,7 +215,8 @@ void loseTelemetry(std::vector<DriveLine>& lines, double gap, std::mt19937_64& r
 void check(const WayDriveOptions& options, const DriveConditions& conditions)
 {
     const auto isAtLeast0 = [](double x) { return x >= 0.0 && std::isfinite(x); };
-    if (!isAtLeast0(options.spacing) || !isAtLeast0(options.slipShare) || !isAtLeast0(options.gap)
+    if (!isAtLeast0(options.spacing) || !isAtLeast0(options.slipShare)
+        || !isAtLeast0(options.driveSlip) || !isAtLeast0(options.gap)
         || !std::isfinite(options.pitchBias) || !(options.step > 0.0)
         || !(options.pressShare >= 0.0 && options.pressShare <= 1.0))
         throw std::invalid_argument("driveWay: an option is beyond its range");

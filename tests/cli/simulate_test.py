@@ -65,6 +65,26 @@ class Simulated(unittest.TestCase):
         complaint(*drives, "--count", 5, code=2)
         complaint("simulate", "--terrain", "varied", "--gap", 2, "--out", out, code=2)
 
+    def test_a_slip_common_to_the_drive_scales_its_odometry(self):
+        plain, slipped = self.path / "plain.csv", self.path / "slipped.csv"
+        drives = ("simulate", "--terrain", "varied", "--drives", 2, "--seed", 3, "--spacing", 0.6)
+        run(*drives, "--out", plain)
+        run(*drives, "--drive-slip", 0.5, "--out", slipped)
+        factors = {}
+        for before, after in zip(rows(plain), rows(slipped), strict=True):
+            way, scaled = float(before.pop("travelled_m")), float(after.pop("travelled_m"))
+            self.assertEqual(before, after)
+            if way > 1:
+                factors.setdefault(before["run"], []).append(scaled / way)
+        self.assertEqual(len(factors), 2)
+        for of_drive in factors.values():
+            self.assertLess(max(of_drive) - min(of_drive), 1e-4)
+        self.assertNotAlmostEqual(factors["1"][0], factors["2"][0], places=3)
+        for wrong in (-0.1, 1.5, "much"):
+            self.assertIn("--drive-slip", complaint(*drives, "--drive-slip", wrong, "--out", plain, code=2))
+        self.assertIn("--drives", complaint("simulate", "--terrain", "varied", "--drive-slip", 0.1, "--out", plain,
+                                            code=2))
+
     def test_real_profiles_of_both_formats_are_driven(self):
         points = self.path / "points.csv"
         points.write_text("x,z\n0,0\n2,0\n2,0.2\n5,0.2\n")

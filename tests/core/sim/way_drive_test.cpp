@@ -126,6 +126,31 @@ TEST(WayDrive, slipIsDrawnForEachStretch)
     EXPECT_NEAR(std::sqrt(squares / stretches), 0.1, 0.015);
 }
 
+TEST(WayDrive, driveSlipScalesTheWholeWay)
+{
+    const auto scaled = [](std::uint64_t seed) {
+        WayDriveOptions options{.spacing = 1.0, .step = 0.5};
+        const DriveLines plain = driven(flatTerrain(4.0), options, {}, seed).drive;
+        options.driveSlip = 0.1;
+        DriveLines slipped = driven(flatTerrain(4.0), options, {}, seed).drive;
+        EXPECT_EQ(slipped.lines.size(), plain.lines.size());
+        const double factor =
+            *slipped.lines.back().line.travelled / *plain.lines.back().line.travelled;
+        for (std::size_t i = 0; i < std::min(plain.lines.size(), slipped.lines.size()); ++i) {
+            const double way = *plain.lines[i].line.travelled;
+            EXPECT_NEAR(*slipped.lines[i].line.travelled, factor * way, 1e-9);
+            slipped.lines[i].line.travelled = way;
+        }
+        EXPECT_EQ(slipped, plain);  // nothing else changes
+        return factor;
+    };
+    constexpr int kRuns = 100;
+    double squares = 0.0;
+    for (int seed = 1; seed <= kRuns; ++seed)
+        squares += std::pow(scaled(static_cast<std::uint64_t>(seed)) - 1.0, 2.0);
+    EXPECT_NEAR(std::sqrt(squares / kRuns), 0.1, 0.03);
+}
+
 TEST(WayDrive, stopsWithoutPressHaveNoScene)
 {
     const TerrainProfile ground = flatTerrain(100.0);
@@ -212,8 +237,8 @@ TEST(WayDrive, refusesWhatItDoesNotKnow)
 {
     for (const WayDriveOptions& wrong :
          {WayDriveOptions{.spacing = -1.0}, WayDriveOptions{.step = 0.0},
-          WayDriveOptions{.slipShare = -0.1}, WayDriveOptions{.pressShare = 1.1},
-          WayDriveOptions{.gap = -1.0}})
+          WayDriveOptions{.slipShare = -0.1}, WayDriveOptions{.driveSlip = -0.1},
+          WayDriveOptions{.pressShare = 1.1}, WayDriveOptions{.gap = -1.0}})
         EXPECT_THROW((void)driven(flatTerrain(4.0), wrong), std::invalid_argument);
     std::mt19937_64 rng(1);
     int skipped = 0;
