@@ -8,7 +8,7 @@ set -eu
 terratact=$(realpath "$1")
 profiles=$(realpath "$2")
 pairs=$(realpath "$3")
-smoother=$(realpath "$4")/terratact-bench-smoother
+tests=$(realpath "$4")
 drives=${5:-400}
 cd "$(dirname "$0")"
 docs=$PWD
@@ -35,11 +35,28 @@ show() {
   } >>"$page"
 }
 
+# Simulates drives into a file, and prints the command.
+record() {
+  echo "    terratact simulate $*" >>"$page"
+  "$terratact" simulate "$@" >/dev/null
+}
+
 # Simulates a few drives over generated ground for the smoother, which takes long: so many, spacing, seed, file.
 few() {
-  what="--drives $1 --terrain varied --spacing $2 --exact-truth --seed $3 --out $4"
-  echo "    terratact simulate $what" >>"$page"
-  "$terratact" simulate $what >/dev/null
+  record --drives "$1" --terrain varied --spacing "$2" --exact-truth --seed "$3" --out "$4"
+}
+
+# Runs a program of the folder TESTS, and prints its command and its output.
+bench() {
+  program=$1
+  shift
+  {
+    echo "    $program $*"
+    echo
+    echo '```'
+    "$tests/$program" "$@"
+    echo '```'
+  } >>"$page"
 }
 
 # Prints the errors of the smoother, of local and of trail on the same drives.
@@ -47,13 +64,15 @@ smooth() {
   few 3 0.3 6 choice.csv
   few 8 0.3 5 drives_0.3.csv
   few 8 0.1 5 drives_0.1.csv
-  {
-    echo '    terratact-bench-smoother 150 choice.csv drives_0.3.csv drives_0.1.csv'
-    echo
-    echo '```'
-    "$smoother" 150 choice.csv drives_0.3.csv drives_0.1.csv
-    echo '```'
-  } >>"$page"
+  bench terratact-bench-smoother 150 choice.csv drives_0.3.csv drives_0.1.csv
+}
+
+# Prints the errors of processes with the history as features on the smoother's drives and on real ground.
+relate() {
+  record --drives 400 --terrain varied --soft-drives 0.3 --exact-truth --seed 7 --out training.csv
+  record --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --exact-truth --seed 5 --out real_0.3.csv
+  record --drives "$drives" --terrain long_profiles.csv --spacing 0.1 --exact-truth --seed 5 --out real_0.1.csv
+  bench terratact-bench-history 600 training.csv choice.csv drives_0.3.csv drives_0.1.csv real_0.3.csv real_0.1.csv
 }
 
 cat >"$page" <<'TEXT'
@@ -109,8 +128,9 @@ show --drives "$drives" --terrain track_pairs.csv --tracks --spacing 0.1
 printf '\n## Generated ground\n' >>"$page"
 show --drives 150 --terrain varied --soft-drives 0.3
 show --drives 150 --terrain varied --soft-drives 0.3 --tracks
-printf '\n## Worse odometry, IMU and telemetry\n\nThe first drives have a slip of 20 %% instead of 10 %%. The second have a pitch that reads 1 degree too much. The third have no press at\nevery other stop. The fourth lose half a second of telemetry once per drive, the fifth 1.2 s.\n' >>"$page"
+printf '\n## Worse odometry, IMU and telemetry\n\nThe first drives have a slip of 20 %% instead of 10 %%. The second have a slip of 10 %% per stretch and 10 %% common to the drive. The\nthird have a pitch that reads 1 degree too much. The fourth have no press at every other stop. The fifth lose half a second of telemetry\nonce per drive, the sixth 1.2 s.\n' >>"$page"
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --slip 0.2
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --drive-slip 0.1
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --pitch-bias 1
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --press-share 0.5
 show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --gap 0.5
@@ -135,4 +155,28 @@ judged because of it. Every method sees the same drives, so compare the rows of 
 
 TEXT
 smooth
+cat >>"$page" <<'TEXT'
+
+## The history as features of the processes of local
+
+The method `local` has two Gaussian processes for each bin: one where the robot covers it, and one elsewhere. They know the scene's 11
+features. Here they also get 38 features of the history (`tests/bench/drive_history.cpp`). These are inputs of the networks, too:
+
+- *pitch*: at ten places behind the robot along the way.
+- *passed*: how far the lowest place of the robot that passed above a bin lies under the present robot.
+- *load*, *pressed*: the load of the force elements that pressed near a bin earlier, and how far they lie under the robot. Odometry
+  carries them.
+- *way*: the length of the memory.
+
+The relevance search gives each input of each process a length scale of its own. The scales maximise the marginal likelihood of at most 600
+scenes of the training drives. The relevance is 1 / length scale, in standardised inputs. The list has its mean over the bins -0.3 ... 0.5 m,
+of the process with more scenes. Then each process keeps its most relevant inputs alone, and the search is repeated. Their number is chosen
+on the drives that chose for the smoother, for the least mean error.
+
+All scenes of the training drives give the weights, through at most 600 inducing rows as in `local`. Bands come from the errors of training
+scenes, each predicted without its own drive. The rows *scene* are of the same processes with the scene's features alone, the rows *history*
+of those with the chosen inputs. Their CPU time is without that of the history. The shipped networks have learnt from more drives.
+
+TEXT
+relate
 cp "$page" "$docs/memory.md"

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <limits>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +20,7 @@
 #include "core/learn/data/drive_file.h"
 #include "core/trail/trail_record.h"
 #include "tests/bench/drive_ensemble.h"
+#include "tests/bench/shipped_bundle.h"
 
 extern "C" void openblas_set_num_threads(int);
 
@@ -28,16 +28,6 @@ namespace terratact {
 namespace {
 
 constexpr std::uint32_t kSeed = 1;
-constexpr const char* kRobot = TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml";
-constexpr const char* kModel = TERRATACT_SOURCE_DIR "/resources/models/default.ttm";
-constexpr const char* kNetworks = TERRATACT_SOURCE_DIR "/resources/models/default.ttn";
-
-template <class T>
-T valueOf(Result<T> result)
-{
-    if (!result) throw std::runtime_error(result.error().text);
-    return *std::move(result);
-}
 
 /// Scenes of drives as the smoother sees them.
 struct SmoothedScenes {
@@ -148,7 +138,7 @@ int main(int count, char** arguments)
         return 2;
     }
     openblas_set_num_threads(1);
-    const auto bundle = valueOf(openEstimatorBundle(kRobot, kModel, kNetworks));
+    const auto bundle = shippedBundle();
     const EnsembleOptions options{.members = members, .groundSd = postsSd(bundle->robot, kSeed)};
     const EnsembleOptions best = chosen(arguments[2], bundle->robot, options);
     for (int k = 3; k < count; ++k) judge(arguments[k], *bundle, best);
