@@ -22,7 +22,8 @@ install(TARGETS ${_programs})
 install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/default.ttn ${_resources}/models/one_plane.ttm
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
-install(FILES ${_resources}/sessions/demo.tts ${_resources}/sessions/two_tracks.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
+install(FILES ${_resources}/sessions/demo.tts ${_resources}/sessions/feel_forward.tts ${_resources}/sessions/two_tracks.tts
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
 install(FILES ${_resources}/dbc/terratact.dbc DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/dbc)
 install(FILES ${_resources}/mappings/ctu_absolem.toml ${_resources}/mappings/simulated_robot.toml ${_resources}/mappings/terratact.toml ${_resources}/mappings/terratact_signals.toml
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/mappings)

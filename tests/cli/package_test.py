@@ -238,8 +238,8 @@ class Package(unittest.TestCase):
         shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
         self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/default.ttn",
                                    "models/one_plane.ttm",
-                                   "robots/absolem.toml", "sessions/demo.tts", "sessions/two_tracks.tts",
-                                   "dbc/terratact.dbc", "panels/example.toml", "mappings/ctu_absolem.toml",
+                                   "robots/absolem.toml", "sessions/demo.tts", "sessions/feel_forward.tts",
+                                   "sessions/two_tracks.tts", "dbc/terratact.dbc", "panels/example.toml", "mappings/ctu_absolem.toml",
                                    "mappings/simulated_robot.toml", "mappings/terratact.toml",
                                    "mappings/terratact_signals.toml"})
         for line in output("dpkg-deb", "-c", self.package).splitlines():

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <QFile>
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/display/format.h"
 #include "app/pages/terrain_page.h"
@@ -14,6 +18,8 @@
 #include "app/shell/remote_stop.h"
 #include "app/shell/text_sheet.h"
 #include "app/start/language.h"
+#include "core/atem/atem_machine.h"
+#include "core/log/event_text.h"
 #include "tests/support/benches/review_bench.h"
 #include "tests/support/benches/review_command_check.h"
 #include "tests/support/gui.h"
@@ -26,6 +32,7 @@
 #include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
+#include "widgets/signals/event_list.h"
 #include "widgets/signals/force_bars.h"
 #include "widgets/terrain/readings/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -83,6 +90,29 @@ TEST_F(ReviewOf, theDriveStripShowsTheRecordedMoment)
     press(Qt::Key_Plus, Qt::ControlModifier);
     window->resize(1200, 680);
     EXPECT_FALSE(strip.isVisible()) << "large letters leave the room to the terrain";
+}
+
+TEST_F(ReviewOf, feelForwardShowsItsPhasesAndWhyItEnded)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/feel_forward.tts";
+    if (!QFile::exists(path)) GTEST_SKIP() << "make_feel_forward.sh records it";
+    open();
+    const std::vector<EventRow>& events = window->session().events();
+    for (const AtemPhase phase : {AtemPhase::Halting, AtemPhase::Pressing, AtemPhase::Advancing}) {
+        const auto entered = std::ranges::find(events, std::optional(phase), phaseOf);
+        ASSERT_NE(entered, events.end()) << name(phase);
+        window->goTo(secondsOf(entered->time) + 1e-6);
+        EXPECT_TRUE(eventually([&] {
+            return !readableTexts(*window)
+                        .filter(QString(describe(phase).english), Qt::CaseInsensitive)
+                        .isEmpty();
+        })) << name(phase);
+    }
+    window->goTo(secondsOf(window->session().end()));
+    const auto ends = window->terrainPage()->events()->findItems("feel forward has ended after",
+                                                                 Qt::MatchContains);
+    ASSERT_FALSE(ends.isEmpty());
+    EXPECT_FALSE(ends.front()->text().contains("let go")) << "it ended by itself";
 }
 
 bool saysUponTheHeader(const QWidget& window, const char* words)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -182,6 +183,16 @@ TEST_F(StripOfSession, bothSidesOfARecordedDriveDiffer)
         const auto& [left, right] = entry.second;
         return left && right && left->band != right->band;
     }));
+}
+
+TEST_F(StripOfSession, feelForwardLeavesALongStrip)
+{
+    const std::string path = TERRATACT_SOURCE_DIR "/resources/sessions/feel_forward.tts";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "make_feel_forward.sh records it";
+    open(path);
+    const SeenStrip seen = reviewed(secondsOf(reader->end())).seen;
+    ASSERT_FALSE(seen.side[0].empty());
+    EXPECT_GT(seen.side[0].back().x - seen.side[0].front().x, 2.0);
 }
 
 TEST_F(StripOfSession, aReviewedMomentIsTheSameForAnyOrderOfRequests)
