@@ -53,6 +53,10 @@ CLI::Option* addDrives(CLI::App& c, SimulateOptions& o)
               "Share of the stops at which the robot presses; the others have no scene")
         ->check(CLI::Range(0.0, 1.0))
         ->needs(drives);
+    c.add_option("--press-torque", o.way.pressTorque,
+                 "Torque of a press, both front flippers [N m] (default random, 12 to 24)")
+        ->check(CLI::Range(0.1, 60.0))
+        ->needs(drives);
     addNumber(c, "--gap", o.way.gap, "Telemetry lost once per drive [s]")
         ->check(CLI::Range(0.0, 1000.0))
         ->needs(drives);

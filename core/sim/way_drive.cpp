@@ -171,7 +171,9 @@ private:
 
     bool press(double x)
     {
-        const auto rest = way_.rest(x, PressTorque{setting_.style.pressTorque});
+        const double torque = setting_.options.pressTorque > 0.0 ? setting_.options.pressTorque
+                                                                 : setting_.style.pressTorque;
+        const auto rest = way_.rest(x, PressTorque{torque});
         if (!rest) return false;
         time_ += kPressingTime;
         add(*rest, RobotActivity::Pressed);
@@ -216,8 +218,8 @@ void check(const WayDriveOptions& options, const DriveConditions& conditions)
 {
     const auto isAtLeast0 = [](double x) { return x >= 0.0 && std::isfinite(x); };
     if (!isAtLeast0(options.spacing) || !isAtLeast0(options.slipShare)
-        || !isAtLeast0(options.driveSlip) || !isAtLeast0(options.gap)
-        || !std::isfinite(options.pitchBias) || !(options.step > 0.0)
+        || !isAtLeast0(options.driveSlip) || !isAtLeast0(options.pressTorque)
+        || !isAtLeast0(options.gap) || !std::isfinite(options.pitchBias) || !(options.step > 0.0)
         || !(options.pressShare >= 0.0 && options.pressShare <= 1.0))
         throw std::invalid_argument("driveWay: an option is beyond its range");
     if (conditions.reading || conditions.rested || conditions.slide > 0.0)

@@ -121,7 +121,7 @@ _terratact_options() {
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --length-unit --angle-unit --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
-      --drives --spacing --slip --drive-slip --pitch-bias --press-share --gap \
+      --drives --spacing --slip --drive-slip --pitch-bias --press-share --press-torque --gap \
       --cloud --poses --recording --floor-poses --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
     train) echo --robot --data --tracks --generated --plane --drives --track-drives --networks --epochs --out --seed --scanner-sd \
       --conditional-rows --bins --inducing ;;

@@ -85,6 +85,21 @@ class Simulated(unittest.TestCase):
         self.assertIn("--drives", complaint("simulate", "--terrain", "varied", "--drive-slip", 0.1, "--out", plain,
                                             code=2))
 
+    def test_a_press_torque_replaces_that_of_each_drive(self):
+        full, light = self.path / "full.csv", self.path / "light.csv"
+        drives = ("simulate", "--terrain", "varied", "--drives", 2, "--seed", 3, "--spacing", 0.6)
+        run(*drives, "--out", full)
+        run(*drives, "--press-torque", 4, "--out", light)
+        means = []
+        for file in (full, light):
+            currents = [float(row["front_current_a"]) for row in rows(file) if row["kind"] == "scene"]
+            means.append(sum(currents) / len(currents))
+        self.assertLess(means[1], 0.5 * means[0])
+        for wrong in (0, 61, "hard"):
+            self.assertIn("--press-torque", complaint(*drives, "--press-torque", wrong, "--out", light, code=2))
+        self.assertIn("--drives", complaint("simulate", "--terrain", "varied", "--press-torque", 4, "--out", light,
+                                            code=2))
+
     def test_real_profiles_of_both_formats_are_driven(self):
         points = self.path / "points.csv"
         points.write_text("x,z\n0,0\n2,0\n2,0.2\n5,0.2\n")

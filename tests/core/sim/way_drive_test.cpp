@@ -167,6 +167,21 @@ TEST(WayDrive, stopsWithoutPressHaveNoScene)
     EXPECT_TRUE(ofKind(none.drive, true).empty());
 }
 
+TEST(WayDrive, pressTorqueReplacesThatOfTheStyle)
+{
+    WayDriveOptions options{.spacing = 0.3, .slipShare = 0.0};
+    const DriveLines full = driven(step(), options).drive;
+    options.pressTorque = 4.0;
+    const DriveLines light = driven(step(), options).drive;
+    const auto torqueOnLevelGround = [](const DriveLines& drive) {
+        const Measurement scene = ofKind(drive, true).at(0).line;
+        return absolem().torquePerAmpere * (scene.frontLeftCurrent + scene.frontRightCurrent);
+    };
+    EXPECT_NEAR(torqueOnLevelGround(full), DriveStyle{}.pressTorque, 0.01);
+    EXPECT_NEAR(torqueOnLevelGround(light), 4.0, 0.01);
+    EXPECT_EQ(ofKind(light, false), ofKind(full, false)) << "the way is the same";
+}
+
 TEST(WayDrive, gapLosesTelemetryOnce)
 {
     WayDriveOptions options{.spacing = 0.3};
@@ -238,7 +253,8 @@ TEST(WayDrive, refusesWhatItDoesNotKnow)
     for (const WayDriveOptions& wrong :
          {WayDriveOptions{.spacing = -1.0}, WayDriveOptions{.step = 0.0},
           WayDriveOptions{.slipShare = -0.1}, WayDriveOptions{.driveSlip = -0.1},
-          WayDriveOptions{.pressShare = 1.1}, WayDriveOptions{.gap = -1.0}})
+          WayDriveOptions{.pressShare = 1.1}, WayDriveOptions{.pressTorque = -1.0},
+          WayDriveOptions{.gap = -1.0}})
         EXPECT_THROW((void)driven(flatTerrain(4.0), wrong), std::invalid_argument);
     std::mt19937_64 rng(1);
     int skipped = 0;
