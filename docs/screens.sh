@@ -1,7 +1,8 @@
 #!/bin/sh
-# Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
-# simulated robot, also on ground that differs left and right, and the review of the shipped session. Nine states come
-# from tests/app/console/screens/screens_test.cpp. Needs imagemagick to make the files smaller.
+# Makes the pictures of the README, of docs/manual.md and of docs/strip.md again from a release build. They show the
+# console on its simulated robot, also on ground that differs left and right, the review of the shipped session, and the
+# strip of another one. Nine states come from tests/app/console/screens/screens_test.cpp, and two of a drive of 5 m from
+# tests/app/console/strip_console_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."
@@ -38,6 +39,8 @@ build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screen
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
 TERRATACT_PICTURES="$all" build/release/tests/app.console.plots_page_test --gtest_filter='*fitInEvery*'
+TERRATACT_PICTURES="$all" build/release/tests/app.console.feel_forward_console_test --gtest_filter='StripConsole.*'
+build/release/app/terratact session strip resources/sessions/feel_forward.tts --out "$all/strip_exported.png"
 for kind in level kerb diagonal slope hanging; do
   lines "$kind" >"$all/$kind.csv"
   build/release/app/terratact-console --terrain "$all/$kind.csv" --screenshot "$all/$kind.png"
@@ -57,3 +60,6 @@ small "$all"/??-??_attitude_alarm.png docs/screens/attitude.png
 small "$all"/??-??_stuck_imu.png docs/screens/stuck_imu.png
 small "$all"/??-??_page_gamepad.png docs/screens/gamepad.png
 small "$all/plots_day.png" docs/screens/plots.png
+small "$all/strip-live.png" docs/screens/strip_live.png
+small "$all/strip-zoomed-out.png" docs/screens/strip_zoomed_out.png
+small "$all/strip_exported.png" docs/screens/strip_exported.png

@@ -13,8 +13,8 @@ trap 'rm -f "$page"' EXIT
 # The strip of felt ground
 
 The robot keeps what it felt along its way. The strip holds the ground in bins of 0.1 m, left and right. Each bin has a height, its 80 %
-band, the time of its scene, and how it was felt: *arm*, *contact* (a front flipper pressed on all of it), *track* or *in part*. It is
-*bounded* if the robot was above it and did not press, else *not felt*. `core/strip/strip.h` is the contract.
+band and the time of its scene. It also states how the bin was felt: *arm*, *contact* (a front flipper pressed on the whole bin), *track*
+or *in part*. It is *bounded* if the robot was above it and did not press, else *not felt*. `core/strip/strip.h` is the contract.
 
 ## How it is built
 
@@ -47,15 +47,15 @@ The strip keeps the last 150 m of ground, with less than 1 MB.
 
 ## Whether its bands hold
 
-Ground that is touched again scores what the strip said of it before (`core/strip/strip_ledger.h`). The band is seen from the new pose by
+Ground that is touched again scores the strip's earlier heights (`core/strip/strip_ledger.h`). The band is seen from the new pose by
 odometry alone, and widened by the touch's own sd. So the scene that judges changes neither the band nor the pose.
 
 - *contact*: a front flipper's element at a later scene. Its height follows from the scene's angles and forces alone, with an sd of 20 mm.
 - *pass*: the tracks stand there at a later scene. Height and sd are that scene's estimate. By `trail`, it knows earlier readings as well.
 - *probe*: the arm. It scores the band that was shown in its scene before.
 
-A scene counts once. On two tracks, the tracks do not score what was said of the flippers' line. The console's line above the picture tells
-how many bands held, such as "bands held: 83 of 100". `terratact session strip` tells it by touch for a session.
+A scene counts once. On two tracks, the tracks do not score heights of the flippers' line. The console's line above the picture states
+how many bands held, such as "bands held: 83 of 100". `terratact session strip` prints it by kind of touch for a session.
 
 ## On the screen
 
@@ -65,7 +65,13 @@ only the ground behind it is drawn. Ground that was not felt is not drawn, nor g
 nothing: the verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot
 again. Behind the strip stand up to eight sections from before a break, thin and grey. Each lies behind a gap with a dashed rule and the
 reason. They have no known place relative to the robot. A review shows the same strip. It reads a long session from its begin while it is
-open. Until it has come to the shown moment, ground that was felt more than 10 to 15 min before that moment is missing.
+open. Until it has reached the shown moment, ground that was felt 10 to 15 min before it, or earlier, is missing.
+
+![Remembered ground behind the robot, under it and ahead of it](screens/strip_live.png)
+
+The same drive after 5 m, zoomed out:
+
+![The whole strip of a drive of 5 m behind the robot](screens/strip_zoomed_out.png)
 
 ## Export
 
@@ -84,11 +90,15 @@ open. Until it has come to the shown moment, ground that was felt more than 10 t
 
 `--out strip.ply` writes a point cloud, PLY in ASCII. Each vertex has `float x y z` in metres, which CloudCompare, MeshLab, PCL and RViz (by
 PCL) expect, with z up. `sd`, `time`, `side` (0 left, 1 right), `felt` (0 arm to 6 not recorded) and `section` are further properties.
-The strip does not hold where one section lies from another. So the cloud lays them 1 m apart along x; `--section 2` writes one in its own frame.
+The strip does not hold the offset between two sections. The cloud therefore lays them 1 m apart along x. `--section 2` writes one
+section in its own frame.
 
 `--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands. Each piece has 6 m, equal axes and a scale. The sides
 differ by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest
-estimate; all else is remembered. An SVG keeps the columns above in its `<metadata>`.
+estimate; all else is remembered. An SVG keeps the columns above in its `<metadata>`. This is the strip of a drive by
+[feel forward](manual.md#feel-forward), from the session `feel_forward.tts` that the program ships:
+
+![Heights of a drive over level ground up to a kerb on the left, with 80 % bands](screens/strip_exported.png)
 
 The console writes the same files: *View > Export the strip of felt ground …* of the strip as it is now. A review writes that of the whole
 session by its export dialog.
