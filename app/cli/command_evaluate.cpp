@@ -12,8 +12,8 @@
 #include "app/modelling/findings_file.h"
 #include "app/modelling/trials/drive_trials.h"
 #include "app/runtime/print_text.h"
-#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/two_track_scene_file.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/store/file_group.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
@@ -24,13 +24,13 @@ namespace terratact {
 
 namespace {
 
-/// trained: number of the scenes that the model was trained on.
+/// trained: number of the scenes that the model was trained on, and near copies of them.
 void printTrained(std::size_t trained, std::size_t scenes)
 {
     if (trained > 0)
         printText(stderr,
-                  "terratact: {} of {} scenes are training scenes of this model: errors look "
-                  "smaller than they are\n",
+                  "terratact: {} of {} scenes are training scenes of this model or near copies of "
+                  "them: errors look smaller than they are\n",
                   trained, scenes);
 }
 
@@ -95,7 +95,7 @@ Status evaluateTwoTracks(const EvaluateOptions& options)
                                        "joint: expected one of them first in --methods");
     const auto file = readTwoTrackScenes(options.data);
     if (!file) return file.error();
-    printNotices(file->notices, trainingScenes(file->scenes, (*bundle)->model.data.sides.features),
+    printNotices(file->notices, trainingScenes(file->scenes, (*bundle)->model.data.sides),
                  file->scenes.size());
     if (Status s = makeDirectory(options.out); !s) return s;
     if (options.missing)

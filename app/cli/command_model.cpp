@@ -123,13 +123,14 @@ void printCard(const ModelFacts& facts)
     if (facts.card.scores.empty())
         printText("errors   unknown; `terratact evaluate --card` finds them\n");
     for (const CardScores& s : facts.card.scores)
-        printText("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
-                  "({}), {}{}\n",
-                  s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
-                  s.dataHash.substr(0, 16), s.date,
-                  s.trainingScenes > 0
-                      ? fmt::format("; {} of them are training scenes", s.trainingScenes)
-                      : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
+        printText(
+            "errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
+            "({}), {}{}\n",
+            s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
+            s.dataHash.substr(0, 16), s.date,
+            s.trainingScenes > 0
+                ? fmt::format("; {} of them are training scenes or near copies", s.trainingScenes)
+                : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
     if (!facts.trouble.empty()) printText(stderr, "terratact: {}\n", facts.trouble.english());
 }
 

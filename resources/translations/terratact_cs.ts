@@ -201,12 +201,12 @@
         <translation>Vynecháno scén: %1, odhadl je jen jeden model, nebo žádný (jen starý %2, jen nový %3): %4.</translation>
     </message>
     <message>
-        <source>The new model was trained on %1 of these %2 scenes, so its error looks too small. Choose scenes it has not seen.</source>
-        <translation>Nový model byl naučen na %1 z těchto %2 scén, proto jeho chyba vypadá příliš malá. Zvolte scény, které nezná.</translation>
+        <source>The new model was trained on %1 of these %2 scenes or near copies, so its error looks too small. Choose scenes it has not seen.</source>
+        <translation>Nový model byl naučen na %1 z těchto %2 scén nebo na jejich téměř shodných kopiích, proto jeho chyba vypadá příliš malá. Zvolte scény, které nezná.</translation>
     </message>
     <message>
-        <source>The old model was trained on %1 of these %2 scenes, so its error looks too small.</source>
-        <translation>Starý model byl naučen na %1 z těchto %2 scén, proto jeho chyba vypadá příliš malá.</translation>
+        <source>The old model was trained on %1 of these %2 scenes or near copies, so its error looks too small.</source>
+        <translation>Starý model byl naučen na %1 z těchto %2 scén nebo na jejich téměř shodných kopiích, proto jeho chyba vypadá příliš malá.</translation>
     </message>
 </context>
 <context>
@@ -493,8 +493,8 @@
         <translation>vytvořen: %1</translation>
     </message>
     <message>
-        <source> – %1 of them are training scenes</source>
-        <translation> – %1 z nich jsou trénovací scény</translation>
+        <source> – %1 of them are training scenes or near copies</source>
+        <translation> – %1 z nich jsou trénovací scény nebo jejich téměř shodné kopie</translation>
     </message>
 </context>
 <context>

@@ -201,12 +201,12 @@
         <translation>%1 Szenen ausgelassen, die nur ein Modell oder keines schätzen konnte (nur das alte %2, nur das neue %3): %4.</translation>
     </message>
     <message>
-        <source>The new model was trained on %1 of these %2 scenes, so its error looks too small. Choose scenes it has not seen.</source>
-        <translation>Das neue Modell hat %1 dieser %2 Szenen gelernt, daher wirkt sein Fehler zu klein. Szenen wählen, die es nicht kennt.</translation>
+        <source>The new model was trained on %1 of these %2 scenes or near copies, so its error looks too small. Choose scenes it has not seen.</source>
+        <translation>Das neue Modell hat %1 dieser %2 Szenen oder Beinahe-Kopien davon gelernt, daher wirkt sein Fehler zu klein. Szenen wählen, die es nicht kennt.</translation>
     </message>
     <message>
-        <source>The old model was trained on %1 of these %2 scenes, so its error looks too small.</source>
-        <translation>Das alte Modell hat %1 dieser %2 Szenen gelernt, daher wirkt sein Fehler zu klein.</translation>
+        <source>The old model was trained on %1 of these %2 scenes or near copies, so its error looks too small.</source>
+        <translation>Das alte Modell hat %1 dieser %2 Szenen oder Beinahe-Kopien davon gelernt, daher wirkt sein Fehler zu klein.</translation>
     </message>
 </context>
 <context>
@@ -493,8 +493,8 @@
         <translation>gemacht mit: %1</translation>
     </message>
     <message>
-        <source> – %1 of them are training scenes</source>
-        <translation> – %1 davon sind Trainingsszenen</translation>
+        <source> – %1 of them are training scenes or near copies</source>
+        <translation> – %1 davon sind Trainingsszenen oder Beinahe-Kopien</translation>
     </message>
 </context>
 <context>

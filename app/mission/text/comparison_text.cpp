@@ -68,13 +68,13 @@ QString ComparisonWords::caution(const ModelComparison& c)
 {
     QStringList cautions;
     if (c.newTrained > 0)
-        cautions << tr("The new model was trained on %1 of these %2 scenes, so its error looks too "
-                       "small. Choose scenes it has not seen.")
+        cautions << tr("The new model was trained on %1 of these %2 scenes or near copies, so its "
+                       "error looks too small. Choose scenes it has not seen.")
                         .arg(c.newTrained)
                         .arg(c.scenes);
     if (c.oldTrained > 0)
-        cautions << tr("The old model was trained on %1 of these %2 scenes, so its error looks too "
-                       "small.")
+        cautions << tr("The old model was trained on %1 of these %2 scenes or near copies, so its "
+                       "error looks too small.")
                         .arg(c.oldTrained)
                         .arg(c.scenes);
     if (!c.nearDifference)

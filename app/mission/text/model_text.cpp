@@ -44,8 +44,8 @@ QString ModelWords::card(const ModelFacts& facts)
                           format::percent(s->coverage), QString::number(s->scenes),
                           format::text(s->data), day(s->date));
         if (s->trainingScenes > 0)
-            lines.back() +=
-                tr(" – %1 of them are training scenes").arg(QString::number(s->trainingScenes));
+            lines.back() += tr(" – %1 of them are training scenes or near copies")
+                                .arg(QString::number(s->trainingScenes));
         else if (facts.learntFrom(*s))
             lines.back() += tr(" – the scenes it was trained on");
     }

@@ -14,7 +14,7 @@
 #include "core/eval/baselines.h"
 #include "core/eval/evaluation.h"
 #include "core/eval/step_forecasts.h"
-#include "core/learn/data/scene_copies.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
@@ -221,7 +221,7 @@ Result<EvaluationInput> readEvaluationInput(const EvaluateOptions& options)
     if (!classes) return classes.error();
     auto file = readScenesWithTruth(options.data);
     if (!file) return file.error();
-    const std::size_t trained = trainingScenes(file->scenes, (*bundle)->model.data.features);
+    const std::size_t trained = trainingScenes(file->scenes, (*bundle)->model.data);
     return EvaluationInput{*std::move(bundle), *std::move(classes), *std::move(file), trained};
 }
 

@@ -41,7 +41,7 @@ struct EvaluationInput {
     std::unique_ptr<EstimatorBundle> bundle;
     std::optional<Classes> classes;  ///< empty if no index file was given
     SceneFile file;                  ///< scenes with a known height
-    std::size_t trained = 0;         ///< number of scenes on which the model was trained
+    std::size_t trained = 0;         ///< number of scenes that are training scenes or near copies
 };
 Result<EvaluationInput> readEvaluationInput(const EvaluateOptions& options);
 

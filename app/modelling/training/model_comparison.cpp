@@ -11,9 +11,9 @@
 #include "app/modelling/scene_estimates.h"
 #include "app/runtime/parallel.h"
 #include "core/infer/sampling/watch.h"
-#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/model/file/model_file.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
@@ -146,8 +146,8 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
                                                  "choose another file of scenes"),
                                  comparison.whyNot));
     comparison.scenes = judged.size();
-    comparison.oldTrained = trainingScenes(judged, (*before)->model.data.features);
-    comparison.newTrained = trainingScenes(judged, (*after)->model.data.features);
+    comparison.oldTrained = trainingScenes(judged, (*before)->model.data);
+    comparison.newTrained = trainingScenes(judged, (*after)->model.data);
     comparison.before = summaryOf(ofBefore);
     comparison.after = summaryOf(ofAfter);
     comparison.nearDifference = differenceOf(ofBefore, ofAfter, scenes, plan.settings.seed);

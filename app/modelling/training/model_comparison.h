@@ -38,7 +38,7 @@ struct ModelComparison {
     std::optional<Interval> nearDifference;
     std::string newContent;      ///< contentHash() of the new model
     std::string dataHash;        ///< hash of the scene file as read
-    std::size_t newTrained = 0;  ///< how many of `scenes` the new model was trained on
+    std::size_t newTrained = 0;  ///< `scenes` that the new model was trained on, or near copies
     std::size_t oldTrained = 0;
 };
 

@@ -10,7 +10,7 @@
 #include "core/infer/two_track_estimator.h"
 #include "core/learn/data/drive_copies.h"
 #include "core/learn/data/drive_file.h"
-#include "core/learn/data/scene_copies.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/trail/trail_record.h"
 
 namespace terratact {
@@ -108,8 +108,7 @@ public:
             else
                 appendAll(tracks, trackScenesOf(drive));
         }
-        scenes_ +=
-            trainingScenes(planes, model_.features) + trainingScenes(tracks, model_.sides.features);
+        scenes_ += trainingScenes(planes, model_) + trainingScenes(tracks, model_.sides);
     }
 
     std::size_t drives() const { return drives_; }

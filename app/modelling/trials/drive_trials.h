@@ -21,7 +21,7 @@ struct DriveFindings {
     std::size_t early = 0;           ///< scenes after less than kWholeMemory of way
     std::size_t failed = 0;          ///< estimates that a method could not make
     std::size_t trainingDrives = 0;  ///< of the networks, as far as their file has marks of drives
-    std::size_t trainingScenes = 0;  ///< of the model
+    std::size_t trainingScenes = 0;  ///< of the model, and near copies
     std::vector<DriveScores> whole, begin;  ///< scores by method: of `scenes`, and of `early`
 };
 

@@ -115,6 +115,46 @@ bool repeats(const Key& a, const Key& b)
     return common > 0 && std::sqrt(sum / common) <= kMaxHeightDifference;
 }
 
+/// Heights of one side and their least-squares line.
+class HeightLine {
+public:
+    /// x: number of the bin. z: height [m].
+    void add(double x, double z)
+    {
+        ++n_;
+        const double dx = x - meanX_, dz = z - meanZ_;
+        meanX_ += dx / n_;
+        meanZ_ += dz / n_;
+        xx_ += dx * (x - meanX_);
+        xz_ += dx * (z - meanZ_);
+        zz_ += dz * (z - meanZ_);
+    }
+    /// Returns the sum of squares of the heights about the line [m²].
+    double squares() const { return n_ > 2 ? std::max(zz_ - xz_ * xz_ / xx_, 0.0) : 0.0; }
+
+private:
+    int n_ = 0;
+    double meanX_ = 0.0, meanZ_ = 0.0, xx_ = 0.0, xz_ = 0.0, zz_ = 0.0;
+};
+
+/// Returns true if the ground itself shows that both scenes have one place (kSameGround).
+template <class Key>
+bool sharesGround(const Key& a, const Key& b)
+{
+    double difference = 0.0, uneven = 0.0;
+    for (std::size_t side = 0; side < a.heights.size(); side += kBins) {
+        HeightLine line;
+        for (std::size_t i = 0; i < kBins; ++i) {
+            const double z = a.heights[side + i], off = z - b.heights[side + i];
+            if (std::isnan(off)) continue;
+            difference += off * off + kRewrittenHeight * kRewrittenHeight;
+            line.add(static_cast<double>(i), z);
+        }
+        uneven += line.squares();
+    }
+    return difference < kSameGround * kSameGround * uneven;
+}
+
 /// Scenes sorted by the front flippers' angle, which hardly differs between copies.
 template <class Key>
 class ByAngle {
@@ -191,6 +231,25 @@ bool hasFeatures(const Scene& scene)
 bool hasFeatures(const TwoTrackScene& scene)
 {
     return absentFeatures(scene.s, Side::Left).none();
+}
+
+/// Returns the key of a training row. Of two tracks, rows 2k and 2k + 1 are both sides of a scene.
+template <class Key>
+Key keyOfRow(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
+             const std::vector<unsigned>& unknownBins, Eigen::Index u)
+{
+    Key key;
+    for (std::size_t d = 0; d < key.features.size(); ++d)
+        key.features[d] = features(u, static_cast<Eigen::Index>(d));
+    for (std::size_t i = 0; i < key.heights.size(); ++i) {
+        const Eigen::Index row = u ^ static_cast<Eigen::Index>(i / kBins);
+        const std::size_t bin = i % kBins;
+        const unsigned unknown =
+            unknownBins.empty() ? 0 : unknownBins[static_cast<std::size_t>(row)];
+        key.heights[i] = (unknown >> bin & 1U) != 0 ? kUnknownHeight
+                                                    : heights(row, static_cast<Eigen::Index>(bin));
+    }
+    return key;
 }
 
 bool knowsAnyHeight(const Scene& scene)
@@ -292,62 +351,51 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
         throw std::invalid_argument("places need eleven features and heights of every row");
     Places<PlaneKey> places;
     std::vector<int> result;
-    for (Eigen::Index u = 0; u < features.rows(); ++u) {
-        PlaneKey key;
-        for (std::size_t d = 0; d < kFeatures; ++d)
-            key.features[d] = features(u, static_cast<Eigen::Index>(d));
-        const unsigned unknown = unknownBins.empty() ? 0 : unknownBins[static_cast<std::size_t>(u)];
-        for (std::size_t i = 0; i < kBins; ++i)
-            key.heights[i] = (unknown >> i & 1U) != 0 ? kUnknownHeight
-                                                      : heights(u, static_cast<Eigen::Index>(i));
-        result.push_back(places.placeOf(key, static_cast<int>(u)));
-    }
+    for (Eigen::Index u = 0; u < features.rows(); ++u)
+        result.push_back(places.placeOf(keyOfRow<PlaneKey>(features, heights, unknownBins, u),
+                                        static_cast<int>(u)));
     return result;
 }
 
 namespace {
 
-/// Returns true for a scene that is a row of training.
+/// Returns true for a scene that is a training row, or a near copy of one that its ground shows.
 template <class Key>
-bool isRow(const ByAngle<Key>& rows, const Key& key)
+bool wasTrained(const ByAngle<Key>& rows, const Key& key)
 {
     return rows
-        .first(key, kRewrittenSd * kAngleSd,
-               [&key](const Key& row) { return isRewritten(row, key); })
+        .first(key, kCopySd * std::numbers::sqrt2 * kAngleSd,
+               [&key](const Key& row) {
+                   return isRewritten(row, key) || (repeats(row, key) && sharesGround(row, key));
+               })
         .has_value();
 }
 
-template <class Key>
-ByAngle<Key> rowsOf(const Eigen::MatrixXd& features)
+template <class Key, class SceneType>
+std::size_t countTrained(const std::vector<SceneType>& scenes, const Eigen::MatrixXd& features,
+                         const Eigen::MatrixXd& heights, const std::vector<unsigned>& unknownBins)
 {
     ByAngle<Key> rows;
-    for (Eigen::Index u = 0; u < features.rows(); ++u) {
-        Key key;
-        for (std::size_t d = 0; d < key.features.size(); ++d)
-            key.features[d] = features(u, static_cast<Eigen::Index>(d));
-        rows.add(key, static_cast<int>(u));
-    }
-    return rows;
+    for (Eigen::Index u = 0; u < features.rows(); ++u)
+        rows.add(keyOfRow<Key>(features, heights, unknownBins, u), static_cast<int>(u));
+    return static_cast<std::size_t>(std::ranges::count_if(scenes, [&rows](const SceneType& scene) {
+        return hasFeatures(scene) && wasTrained(rows, keyOf(scene));
+    }));
 }
 
 }  // namespace
 
-std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features)
+std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features,
+                           const Eigen::MatrixXd& heights, const std::vector<unsigned>& unknownBins)
 {
-    const auto rows = rowsOf<PlaneKey>(features);
-    return static_cast<std::size_t>(std::ranges::count_if(scenes, [&rows](const Scene& scene) {
-        return hasFeatures(scene) && isRow(rows, keyOf(scene));
-    }));
+    return countTrained<PlaneKey>(scenes, features, heights, unknownBins);
 }
 
 std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
-                           const Eigen::MatrixXd& features)
+                           const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
+                           const std::vector<unsigned>& unknownBins)
 {
-    const auto rows = rowsOf<TracksKey>(features);
-    return static_cast<std::size_t>(
-        std::ranges::count_if(scenes, [&rows](const TwoTrackScene& scene) {
-            return hasFeatures(scene) && isRow(rows, keyOf(scene));
-        }));
+    return countTrained<TracksKey>(scenes, features, heights, unknownBins);
 }
 
 }  // namespace terratact

@@ -81,17 +81,29 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;
 
-/// Returns the number of scenes that are training rows, whatever their number format. No feature
-/// differs by more than kRewrittenSd of its noise, which rounding to three decimals stays below.
-/// The root mean square of these differences is at most kRewrittenRms. features: U × 11 as in
-/// ModelData.
-std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features);
+/// Returns the number of scenes that are training rows or near copies of one. Scenes that lack a
+/// feature do not count.
+///   training row  in any number format. No feature differs by more than kRewrittenSd of its noise,
+///                 which rounding to three decimals stays below. The root mean square of these
+///                 differences is at most kRewrittenRms.
+///   near copy     isNearCopy, and the ground shows that it is one place. Over the bins that both
+///                 know, Σ ((difference of height)² + kRewrittenHeight²)
+///                 < kSameGround² Σ (row's height − least-squares line of its side)².
+///                 Ground that is even to 3 mm shows nothing.
+/// Among thousands of rows, isNearCopy alone also holds for scenes of other places.
+/// A pose pressed again is recognised only if its heights are nearly the same, too.
+/// features, heights, unknownBins: as in SurfaceData.
+std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features,
+                           const Eigen::MatrixXd& heights,
+                           const std::vector<unsigned>& unknownBins);
 
-/// Returns the same of two tracks: the scenes whose left side is a training row. features:
-/// U × kSideFeatures as in SurfaceData, rounded to its steps.
+/// Returns the same of two tracks: the scenes whose left side is a training row, or a near copy with
+/// the heights of both sides. features: U × kSideFeatures, rounded to its steps.
 std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
-                           const Eigen::MatrixXd& features);
+                           const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
+                           const std::vector<unsigned>& unknownBins);
 
+inline constexpr double kSameGround = 0.2;
 inline constexpr double kRewrittenSd = 0.31, kRewrittenRms = 0.13;
 /// Largest height difference [m] that rounding to three decimals makes.
 inline constexpr double kRewrittenHeight = 0.0006;

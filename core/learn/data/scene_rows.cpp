@@ -7,7 +7,6 @@
 #include "core/base/text.h"
 #include "core/store/csv_field.h"
 #include "core/store/csv_text.h"
-#include "core/wire/dbc/dbc_text.h"
 
 namespace terratact {
 namespace {

@@ -18,7 +18,7 @@ struct CardScores {
     std::string data;                ///< name of the scenes file
     std::string dataHash;            ///< SHA-256 of that file, hex
     std::size_t scenes = 0;          ///< number of estimated scenes
-    std::size_t trainingScenes = 0;  ///< number of evaluated scenes that the model was trained on
+    std::size_t trainingScenes = 0;  ///< evaluated scenes of its training, or near copies
     double meanError = 0.0;          ///< [m] mean |height − truth| over all bins
     double coverage = 0.0;           ///< 0 … 1: share of truths within the 80 % band
     bool operator==(const CardScores&) const = default;

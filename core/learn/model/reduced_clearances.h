@@ -24,8 +24,9 @@ inline constexpr int kReducedRows = 4000;
 /// Hyperparameters are the model's, with length scales within 0.5 … 6. Weights, leave-one-out
 /// residuals, scale of novelty and the contacts' sd are computed as in clearance_training.h. Bands
 /// widen because the residuals do.
-/// Each set is made when it is first needed, in two seconds of processor time. The kKept latest
-/// sets are kept. The result does not depend on earlier requests. It may be shared between threads.
+/// Each set is made when it is first needed, in some seconds of processor time. The kKept latest
+/// sets are kept. Where more sets take turns, each scene makes its set anew. The result does not
+/// depend on earlier requests. It may be shared between threads.
 class ReducedClearances {
 public:
     static constexpr std::size_t kKept = 16;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/data/side_features.h"
 #include "core/learn/model/model.h"
 #include "core/terrain/bins.h"
@@ -44,6 +46,14 @@ std::vector<int> completeRows(const SurfaceData& model);
 /// (scene_copies.h), or its own. Without repeats in the model, each row has its own. Both sides of a
 /// scene have one place.
 std::vector<int> placesOf(const SurfaceData& model);
+
+/// Returns the number of scenes that the model was trained on, and near copies of them
+/// (scene_copies.h). SceneType: Scene for one plane, TwoTrackScene for sides.
+template <class SceneType>
+std::size_t trainingScenes(const std::vector<SceneType>& scenes, const SurfaceData& model)
+{
+    return trainingScenes(scenes, model.features, model.heights, model.unknownBins);
+}
 
 /// Returns the row of the other side of the same scene.
 constexpr int otherSideRow(int row)

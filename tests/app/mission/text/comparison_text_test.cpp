@@ -48,9 +48,9 @@ TEST(ComparisonTexts, cautionAgainstChanceAndSeenScenes)
     c.oldTrained = 300;
     EXPECT_EQ(
         ComparisonWords::caution(c),
-        "The new model was trained on 40 of these 300 scenes, so its error looks too small. "
-        "Choose scenes it has not seen. The old model was trained on 300 of these 300 scenes, "
-        "so its error looks too small.");
+        "The new model was trained on 40 of these 300 scenes or near copies, so its error looks "
+        "too small. Choose scenes it has not seen. The old model was trained on 300 of these 300 "
+        "scenes or near copies, so its error looks too small.");
     c.newTrained = c.oldTrained = 0;
     c.nearDifference->low = -0.004;
     EXPECT_TRUE(ComparisonWords::caution(c).contains(QString::fromUtf8("\u22124.0 … +3.0 mm")))

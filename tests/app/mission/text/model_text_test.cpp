@@ -54,7 +54,7 @@ TEST(ModelTexts, scoresOnTrainingScenesAreMarked)
     some.card.scores = {scores(some.dataHash)};
     EXPECT_TRUE(ModelWords::card(some).contains("the scenes it was trained on"));
     some.card.scores = {scores(std::string(64, 'e'), 40)};
-    EXPECT_TRUE(ModelWords::card(some).contains("40 of them are training scenes"));
+    EXPECT_TRUE(ModelWords::card(some).contains("40 of them are training scenes or near copies"));
 }
 
 TEST(ModelTexts, aModelWithoutACardIsUnknown)

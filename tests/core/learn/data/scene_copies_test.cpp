@@ -8,6 +8,7 @@
 #include "core/infer/estimator.h"
 #include "core/learn/data/columns.h"
 #include "core/learn/model/side_training.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/learn/model/training.h"
 #include "core/sim/sensor_noise.h"
 #include "tests/support/toy_model.h"
@@ -195,12 +196,11 @@ TEST(SceneCopies, countsTheScenesAModelWasTrainedOn)
 {
     const std::vector<Scene> scenes = scenesOf(20);
     const ModelData model = prepareTraining(scenes).model;
-    EXPECT_EQ(trainingScenes(scenes, model.features),
-              static_cast<std::size_t>(model.features.rows()));
-    EXPECT_EQ(trainingScenes(someScenes(10, 6), model.features), 0U);
+    EXPECT_EQ(trainingScenes(scenes, model), static_cast<std::size_t>(model.features.rows()));
+    EXPECT_EQ(trainingScenes(someScenes(10, 6), model), 0U);
     std::vector<Scene> lacking = scenes;
     for (Scene& scene : lacking) scene.s.frontCurrent.reset();
-    EXPECT_EQ(trainingScenes(lacking, model.features), 0U);
+    EXPECT_EQ(trainingScenes(lacking, model), 0U);
 }
 
 TEST(SceneCopies, countsTheScenesOfTwoTracksAModelWasTrainedOn)
@@ -208,11 +208,58 @@ TEST(SceneCopies, countsTheScenesOfTwoTracksAModelWasTrainedOn)
     std::vector<TwoTrackScene> scenes = onBothSides(scenesOf(20));
     for (TwoTrackScene& scene : scenes) scene.s.roll = 0.1;
     const SideTrainingSet set = prepareSides(scenes);
-    EXPECT_EQ(trainingScenes(scenes, set.rows.features), static_cast<std::size_t>(set.used));
+    EXPECT_EQ(trainingScenes(scenes, set.rows), static_cast<std::size_t>(set.used));
     EXPECT_GT(set.used, 0);
-    EXPECT_EQ(trainingScenes(onBothSides(someScenes(10, 6)), set.rows.features), 0U);
+    EXPECT_EQ(trainingScenes(onBothSides(someScenes(10, 6)), set.rows), 0U);
     for (TwoTrackScene& scene : scenes) scene.s.roll = 0.2;
-    EXPECT_EQ(trainingScenes(scenes, set.rows.features), 0U) << "another roll is another scene";
+    EXPECT_EQ(trainingScenes(scenes, set.rows), 0U) << "another roll is another scene";
+}
+
+/// The same scene with other noise of its sensors.
+template <class SceneType>
+SceneType readAgain(SceneType scene, std::mt19937_64& rng)
+{
+    scene.run = "other";
+    scene.s = noisy(scene.s, {}, absolem().forceSaturation, rng);
+    return scene;
+}
+
+TEST(SceneCopies, countsNearCopiesOfTrainingScenes)
+{
+    std::mt19937_64 rng(1);
+    const std::vector<Scene> scenes = scenesOf(20);
+    const ModelData model = prepareTraining(scenes).model;
+    std::vector<Scene> copies;
+    for (const Scene& scene : scenes) copies.push_back(readAgain(scene, rng));
+    EXPECT_GE(trainingScenes(copies, model), 95 * copies.size() / 100);
+    for (Scene& copy : copies) copy.truth[4] = *copy.truth[4] + 0.5;
+    EXPECT_EQ(trainingScenes(copies, model), 0U) << "another ground is another scene";
+}
+
+TEST(SceneCopies, countsNearCopiesOfTrainingScenesOfTwoTracks)
+{
+    std::mt19937_64 rng(1);
+    const std::vector<TwoTrackScene> scenes = onBothSides(scenesOf(20));
+    const SideTrainingSet set = prepareSides(scenes);
+    std::vector<TwoTrackScene> copies;
+    for (const TwoTrackScene& scene : scenes) copies.push_back(readAgain(mirrored(scene), rng));
+    EXPECT_GE(trainingScenes(copies, set.rows), 95 * copies.size() / 100);
+    for (TwoTrackScene& copy : copies) copy.truth[1][4] = *copy.truth[1][4] + 0.5;
+    EXPECT_EQ(trainingScenes(copies, set.rows), 0U) << "the other side is another ground";
+}
+
+TEST(SceneCopies, evenGroundMakesNoNearCopyOfATrainingScene)
+{
+    std::mt19937_64 rng(1);
+    std::vector<Scene> scenes = scenesOf(20), even;
+    for (std::size_t k = 0; k < scenes.size(); k += 2) {
+        for (std::size_t i = 0; i < kBins; ++i) scenes[k].truth[i] = 0.02 * static_cast<double>(i);
+        even.push_back(scenes[k]);
+    }
+    const ModelData model = prepareTraining(scenes).model;
+    EXPECT_EQ(trainingScenes(even, model), even.size());
+    for (Scene& scene : even) scene = readAgain(scene, rng);
+    EXPECT_EQ(trainingScenes(even, model), 0U);
 }
 
 TEST(SceneCopies, recognisesScenesInAnotherNumberFormat)
@@ -227,8 +274,7 @@ TEST(SceneCopies, recognisesScenesInAnotherNumberFormat)
                 if (value) *value = std::round(*value / step) * step;
             scene.s = proprioception(values);
         }
-        EXPECT_EQ(trainingScenes(rewritten, model.features),
-                  static_cast<std::size_t>(model.features.rows()))
+        EXPECT_EQ(trainingScenes(rewritten, model), static_cast<std::size_t>(model.features.rows()))
             << step;
     }
 }
