@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <string>
+
 #include "app/cli/commands.h"
 #include "app/runtime/print_text.h"
 #include "core/eval/probe_sd.h"
@@ -12,16 +14,22 @@ namespace {
 
 constexpr double kMinSd = 0.5e-4;  ///< [m] resolution of the robot file's four decimals
 
-/// Returns the reason that the readings give no sd.
+/// Returns the reason that the readings give no sd; empty: they give one.
 std::string whyNoSd(const ProbeAccuracy& accuracy)
 {
+    const auto alike = [](const char* what) {
+        return fmt::format("{} the same, or nearly (sd below {:.2f} mm): are they rounded, or "
+                           "copied? The sd is unknown",
+                           what, 1e3 * kMinSd);
+    };
     if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kMinSd)
-        return "all readings of a place are the same: are they rounded, or copied? The sd "
-               "is unknown";
-    if (accuracy.fromTruth.n > 1)
-        return "every reading differs from its truth by the same: are they rounded, or copied? "
-               "The sd is unknown";
-    return "no place is read twice and no truth is known: the sd is unknown";
+        return alike("all readings of a place are");
+    if (accuracy.fromTruth.n > 1 && accuracy.fromTruth.sd < kMinSd)
+        return alike("every reading differs from its truth by");
+    if (accuracy.repeated.freedom == 0 && accuracy.fromTruth.n < 2)
+        return "no place is read twice, and fewer than two readings have a truth: the sd is "
+               "unknown";
+    return {};
 }
 
 }  // namespace
@@ -39,9 +47,8 @@ Status showProbes(const std::string& path)
         printText("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
                   "{} readings\n",
                   1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
-    const double sd = readingSd(accuracy);
-    if (!(sd >= kMinSd)) return fileError(path, whyNoSd(accuracy));
-    printText("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
+    if (const std::string why = whyNoSd(accuracy); !why.empty()) return fileError(path, why);
+    printText("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", readingSd(accuracy));
     return Done{};
 }
 

@@ -153,7 +153,8 @@ struct ContactsOptions {
 Status showContacts(const ContactsOptions& options);
 
 /// Prints an arm's measurement error from a CSV of readings (core/learn/data/probe_file.h), and the line for the robot
-/// file.
+/// file. Error: the readings give no sd. Readings of each place that are all the same give none, even with truths:
+/// copies would make it too small.
 Status showProbes(const std::string& path);
 
 struct CalibrateOptions {

@@ -395,6 +395,10 @@ class Csv(Scenes):
         readings = self.path / "probes.csv"
         for text, says in (("a,0.1,0.1\n" * 3 + "b,0.2,0.2\n" * 3, "all readings of a place are the same"),
                            ("a,0.1,\n" * 3, "all readings of a place are the same"),
+                           ("a,0.1,0.11\n" * 2 + "b,0.2,0.18\n" * 2, "are they rounded, or copied?"),
+                           ("a,0.1,\n" * 4 + "a,0.1001,\n", "the same, or nearly (sd below 0.05 mm)"),
+                           ("a,0.1,0.1\nb,0.2,\n", "fewer than two readings have a truth"),
+                           ("a,0.1,0\na,0.2,0.5\n", "line 3: truth_m of place 'a' is 0.5, and 0 in line 2"),
                            ("a,0.1,0.1\nb,0.2,0.2\n", "differs from its truth by the same")):
             readings.write_text("place,height_m,truth_m\n" + text)
             self.assertIn(says, complaint("probes", "--data", readings))

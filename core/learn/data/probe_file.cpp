@@ -1,6 +1,8 @@
 #include "core/learn/data/probe_file.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/store/csv_text.h"
@@ -8,7 +10,11 @@
 namespace terratact {
 namespace {
 
-constexpr double kMaxHeight = 5.0;  // [m]
+constexpr double kMaxHeight = 5.0;   // [m]
+constexpr double kSameTruth = 1e-4;  // [m] rounding alone makes smaller differences
+
+/// First truth of each place, with its line.
+using PlaceTruths = std::map<std::string, std::pair<double, int>>;
 
 Result<double> height(CsvReader& csv, std::size_t field, std::string_view name)
 {
@@ -34,6 +40,18 @@ Result<ProbeReading> reading(CsvReader& csv)
     return result;
 }
 
+/// Error: an earlier line gives the place another truth.
+Status requireOneTruth(const ProbeReading& given, PlaceTruths& truths, const CsvReader& csv)
+{
+    if (!given.truth) return Done{};
+    const auto& [truth, line] =
+        truths.try_emplace(given.place, *given.truth, csv.line()).first->second;
+    if (std::abs(*given.truth - truth) <= kSameTruth) return Done{};
+    return csv.error("truth_m of place " + shown(given.place) + " is " + numberText(*given.truth)
+                     + ", and " + numberText(truth) + " in line " + std::to_string(line)
+                     + ": a place has one truth");
+}
+
 }  // namespace
 
 Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path)
@@ -51,6 +69,7 @@ Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
         return csv.error("is not the header place,height_m,truth_m");
     csv.useAsHeader({"", "m", "m"});
     std::vector<ProbeReading> readings;
+    PlaceTruths truths;
     for (;;) {
         const Result<bool> more = csv.next();
         if (!more) return more.error();
@@ -60,6 +79,7 @@ Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
                              + " allowed in a file");
         const Result<ProbeReading> next = reading(csv);
         if (!next) return next.error();
+        if (Status s = requireOneTruth(*next, truths, csv); !s) return s.error();
         readings.push_back(*next);
     }
     if (readings.empty()) return csv.error("is a header, and no reading follows it");

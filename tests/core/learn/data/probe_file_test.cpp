@@ -46,6 +46,14 @@ TEST_F(ProbeFileTest, refusesWhatItCannotRead)
     EXPECT_TRUE(refused(other, dir.file("other.csv"), {"line 1", "place,height_m,truth_m"}));
 }
 
+TEST_F(ProbeFileTest, refusesTwoTruthsOfAPlace)
+{
+    EXPECT_TRUE(refuses("a,0.1,0\nb,0.1,0.1\na,0.2,\na,0.2,0.5\n",
+                        {"line 5", "truth_m of place 'a' is 0.5, and 0 in line 2"}));
+    EXPECT_TRUE(refuses("a,0.1,0\na,0.1,0.001\n", {"line 3", "in line 2"}));
+    EXPECT_TRUE(read("a,0.1,0.1\na,0.2,0.10\na,0.2,0.10000001\n"));
+}
+
 TEST_F(ProbeFileTest, boundsTheNumberOfReadings)
 {
     std::string lines;
