@@ -21,6 +21,13 @@ namespace {
 
 constexpr std::size_t kMaxNamed = 4;  // identifiers named in one sentence
 
+constexpr std::uint32_t kNullAddress = 0xFE;  // J1939: describes frames of any source
+
+std::uint32_t sourceAddressOf(std::uint32_t id)
+{
+    return id & 0xFFU;
+}
+
 std::uint32_t keyOf(std::uint32_t id, bool extended)
 {
     return id | (extended ? 0x8000'0000U : 0U);
@@ -80,8 +87,9 @@ std::string verdictOf(const DescribedFrame& described, const CanFrame& frame)
 {
     const DbcMessage& message = described.message;
     return "by " + described.file
-         + (message.isParameterGroup ? fmt::format(", source address 0x{:02X}", frame.id & 0xFFU)
-                                     : std::string())
+         + (message.isParameterGroup
+                ? fmt::format(", source address 0x{:02X}", sourceAddressOf(frame.id))
+                : std::string())
          + missingText(message, frame);
 }
 
@@ -132,8 +140,7 @@ Status DbcBook::add(const std::string& path)
         }
         const auto described = std::make_shared<const DescribedFrame>(
             DescribedFrame{std::move(message), std::filesystem::path(path).filename().string()});
-        if (described->message.isParameterGroup)
-            groups_.emplace(parameterGroupOf(frame.id), described);
+        if (described->message.isParameterGroup) addGroup(described);
         const auto [place, isNew] = frames_.emplace(keyOf(frame.id, frame.extended), described);
         if (isNew)
             ++added.frames;
@@ -156,13 +163,26 @@ Status DbcBook::add(const std::string& path)
     return Done{};
 }
 
+void DbcBook::addGroup(const std::shared_ptr<const DescribedFrame>& described)
+{
+    const std::uint32_t id = described->message.id, group = parameterGroupOf(id);
+    groupsOfSource_.emplace(group | sourceAddressOf(id), described);
+    auto& ofOthers = groups_.emplace(group, described).first->second;
+    const bool isForAny = sourceAddressOf(ofOthers->message.id) == kNullAddress;
+    if (!isForAny && sourceAddressOf(id) == kNullAddress) ofOthers = described;
+}
+
 std::shared_ptr<const DescribedFrame> DbcBook::find(const CanFrame& frame) const
 {
     if (frame.error || frame.remote) return nullptr;
     const auto found = frames_.find(keyOf(frame.id, frame.extended));
     if (found != frames_.end()) return found->second;
-    const auto group = frame.extended ? groups_.find(parameterGroupOf(frame.id)) : groups_.end();
-    return group == groups_.end() ? nullptr : group->second;
+    if (!frame.extended) return nullptr;
+    const std::uint32_t group = parameterGroupOf(frame.id);
+    const auto ofSource = groupsOfSource_.find(group | sourceAddressOf(frame.id));
+    if (ofSource != groupsOfSource_.end()) return ofSource->second;
+    const auto ofAny = groups_.find(group);
+    return ofAny == groups_.end() ? nullptr : ofAny->second;
 }
 
 Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,

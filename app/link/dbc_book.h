@@ -29,8 +29,9 @@ public:
     Status add(const std::string& path);
 
     /// Returns the description of a frame; null if no file describes it. Remote frames, error frames and frames of the
-    /// protocol are never described. A J1939 parameter group matches any source address; a message with the exact
-    /// identifier takes precedence.
+    /// protocol are never described. A message with the exact identifier takes precedence. A J1939 parameter group
+    /// matches any source address. Among messages of one group, the frame's source address is preferred, and then the
+    /// null address FE. Otherwise the first message counts.
     std::shared_ptr<const DescribedFrame> find(const CanFrame& frame) const;
 
     std::size_t frames() const { return frames_.size(); }
@@ -42,11 +43,15 @@ public:
     const std::vector<Message>& remarks() const { return remarks_; }  ///< one sentence each
 
 private:
+    void addGroup(const std::shared_ptr<const DescribedFrame>& described);
+
     CanProtocol protocol_;
     std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
         frames_;  // by frame key
     std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
-        groups_;  // J1939 messages by parameter group
+        groupsOfSource_;  // J1939 messages by parameter group and source address
+    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
+        groups_;  // J1939 messages for any other source address
     std::vector<File> files_;
     std::vector<Message> remarks_;
 };

@@ -76,6 +76,13 @@ bool hidesOrMoves(char32_t c)
 
 }  // namespace
 
+bool isUtf8(std::string_view text)
+{
+    while (!text.empty())
+        if (!nextCharacter(text)) return false;
+    return true;
+}
+
 bool isReadableName(std::string_view text)
 {
     constexpr int kMax = 100;

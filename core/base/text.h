@@ -52,6 +52,9 @@ constexpr bool isControl(char c)
     return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
 }
 
+/// Returns true if every byte is part of a UTF-8 character.
+bool isUtf8(std::string_view text);
+
 /// Returns true if a UTF-8 text may be a name that people read. It has 1 to 100 characters, and
 /// every byte is part of a character. None is a control character, a line end, or a mark that
 /// changes the reading direction.

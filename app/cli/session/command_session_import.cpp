@@ -130,6 +130,8 @@ private:
             rows.push_back(
                 event(EventKind::Gap, "clock",
                       {TR_NOOP("core", "the log's clock was set back %1 more times"), unlogged_}));
+        if (Message doubt = log.clockDoubt(); !doubt.empty())
+            rows.push_back(event(EventKind::Gap, "clock", std::move(doubt)));
         if (log.dropped() > 0) {
             rows.push_back(event(EventKind::Gap, "log",
                                  TR_NOOP("core", "frames that were lost when the log was "

@@ -113,9 +113,9 @@ std::uint32_t parameterGroupOf(std::uint32_t id)
     return id & (isBroadcast ? kPages | kDestination : kPages);
 }
 
-std::int64_t rawOf(const DbcSignal& signal, std::uint64_t bits)
+DbcRaw rawOf(const DbcSignal& signal, std::uint64_t bits)
 {
-    if (signal.type != DbcSignal::Type::Signed) return static_cast<std::int64_t>(bits);
+    if (signal.type != DbcSignal::Type::Signed) return bits;
     const auto unused = static_cast<unsigned>(kWordBits - signal.length);
     return static_cast<std::int64_t>(bits << unused) >> unused;
 }
@@ -166,8 +166,7 @@ const std::string* wordOfBits(const DbcSignal& signal, std::uint64_t bits)
     using Type = DbcSignal::Type;
     if (signal.type == Type::Float || signal.type == Type::Double)
         return wordOf(signal, physicalOf(signal, bits));
-    const bool isBeyond = signal.type == Type::Unsigned && bits >> 63U != 0;
-    const auto found = isBeyond ? signal.words.end() : signal.words.find(rawOf(signal, bits));
+    const auto found = signal.words.find(rawOf(signal, bits));
     return found == signal.words.end() ? nullptr : &found->second;
 }
 

@@ -13,6 +13,9 @@
 
 namespace terratact {
 
+/// Raw value of an integer signal: 64 bits, signed or unsigned.
+__extension__ using DbcRaw = __int128;
+
 /// Signal of a frame as a DBC file describes it: a number raw · scale + offset, in `unit`. Texts
 /// are UTF-8 on one line; comments keep their lines.
 struct DbcSignal {
@@ -36,7 +39,7 @@ struct DbcSignal {
     /// Both ends belong to the range; equal: the file gives no range.
     double least = 0.0, most = 0.0;
     std::string unit, receivers, comment;
-    std::map<std::int64_t, std::string> words;  ///< texts of raw values
+    std::map<DbcRaw, std::string> words;  ///< texts of raw values; none is blank
     /// In the order of their first values, without overlap. Empty: the signal is in every frame of
     /// its message.
     std::vector<Selection> selectedBy;
@@ -99,8 +102,8 @@ std::optional<double> valueOf(const DbcSignal& signal, const CanFrame& frame);
 void decode(const DbcMessage& message, const CanFrame& frame,
             std::span<std::optional<double>> values);
 
-/// Returns the raw value of an integer signal; beyond 63 bits it wraps around.
-std::int64_t rawOf(const DbcSignal& signal, std::uint64_t bits);
+/// Returns the raw value of an integer signal.
+DbcRaw rawOf(const DbcSignal& signal, std::uint64_t bits);
 
 /// Return the file's text for a value; null: none.
 const std::string* wordOf(const DbcSignal& signal, double value);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,6 +24,17 @@ public:
     DbcParser(const std::string& path, std::string_view utf8) : scan_(utf8) { file_.path = path; }
 
     void warn(Message what) { warnings_.add(std::move(what)); }
+
+    /// Names the lines with zero bytes. content: the file before they became blanks.
+    void warnOfZeros(std::string_view content)
+    {
+        for (int line = 1; !content.empty(); ++line) {
+            const std::string_view text = content.substr(0, content.find('\n'));
+            if (text.find('\0') != std::string_view::npos)
+                warnings_.add(line, TR_NOOP("core", "has zero bytes, which are read as blanks"));
+            content.remove_prefix(std::min(text.size() + 1, content.size()));
+        }
+    }
 
     Result<DbcFile> parse()
     {
@@ -110,13 +120,18 @@ private:
             return warnings_.add(
                 line, TR_NOOP("core", "the name of a table of words (VAL_TABLE_) is passed over"));
         while (scan_.failure().empty() && !scan_.isNext(';') && !scan_.atEnd()) {
-            const double raw = scan_.number(TR_NOOP("core", "a raw value"));
+            const std::optional<DbcRaw> raw = scan_.raw(TR_NOOP("core", "a raw value"));
             constexpr SourceText kWhat = TR_NOOP("core", "the word of a raw value");
             std::string word = warnings_.readableUpTo(kDbcWord, scan_.text(kWhat), kWhat, line);
-            // The highest 64-bit values are no exact doubles; they get no text.
-            if (place && std::abs(raw) <= 0x1p53)
-                messages_.at(*place).words[static_cast<std::int64_t>(std::round(raw))] =
-                    std::move(word);
+            if (!place || word.find_first_not_of(' ') == std::string::npos) continue;
+            if (raw)
+                messages_.at(*place).words[*raw] = std::move(word);
+            else
+                warnings_.add(line,
+                              Message(TR_NOOP("core", "the word %1 is left out: expected its "
+                                                      "raw value in at most 64 bits, with all "
+                                                      "its digits"),
+                                      shown(word)));
         }
     }
 
@@ -190,7 +205,7 @@ private:
     {
         const auto place = messages_.signalNext();
         std::string name = longName(line);
-        if (place && !name.empty()) messages_.rename(*place, std::move(name));
+        if (place && !name.empty()) messages_.rename(*place, std::move(name), line);
     }
 
     void messageName(DbcMessage* m, int line)
@@ -292,6 +307,18 @@ bool dependsOnCodePage(std::string_view text)
     });
 }
 
+/// Returns true for a content with zero bytes that has more control characters than line ends.
+bool isNoText(std::string_view content)
+{
+    constexpr std::string_view kOfText = "\t\r\n\x1A";  // the last ended a text file of DOS
+    const auto isStray = [&](char c) {
+        return isControl(c) && kOfText.find(c) == std::string_view::npos;
+    };
+    const auto isLineEnd = [](char c) { return c == '\r' || c == '\n'; };
+    return content.find('\0') != std::string_view::npos
+        && std::ranges::count_if(content, isStray) > std::ranges::count_if(content, isLineEnd);
+}
+
 /// Converts line ends of old programs (CR alone) to LF.
 std::string withLineFeeds(std::string_view text)
 {
@@ -306,7 +333,7 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
 {
     if (contentKind(content.substr(0, kContentHead)) == ContentKind::Utf16)
         return fileError(path, TR_NOOP("core", "is text in UTF-16: save it as UTF-8"));
-    if (content.find('\0') != std::string_view::npos)
+    if (isNoText(content))
         return fileError(path, TR_NOOP("core", "is no text in UTF-8 or Windows code page 1252: "
                                                "expected a DBC file; save it anew as such"));
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
@@ -314,10 +341,12 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
     if (content.find('\n') == std::string_view::npos
         && content.find('\r') != std::string_view::npos)
         return dbcFrom(path, withLineFeeds(content));
-    if (isUtf8(content)) return DbcParser(path, content).parse();
-    const std::string letters = fromWindows1252(content);
-    DbcParser parser(path, letters);
-    if (dependsOnCodePage(content))
+    const bool isUnicode = isUtf8(content);
+    std::string text = isUnicode ? std::string(content) : fromWindows1252(content);
+    std::ranges::replace(text, '\0', ' ');
+    DbcParser parser(path, text);
+    parser.warnOfZeros(content);
+    if (!isUnicode && dependsOnCodePage(content))
         parser.warn(TR_NOOP("core",
                             "is no text in UTF-8: its letters are read as Windows code page "
                             "1252; where they look wrong, save it as UTF-8"));

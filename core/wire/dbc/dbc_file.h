@@ -25,12 +25,18 @@ struct DbcFile {
 /// numeric attributes of messages. Other sections and comments (//) are skipped. Text is UTF-8, or
 /// else Windows code page 1252.
 ///
+/// A blank value text is none. A value text is left out with a warning if its raw value has more
+/// than 64 bits, or is beyond 2⁵³ without all its digits. Zero bytes are read as blanks; a warning
+/// names their lines. A content with zero bytes is refused as no text if it has more control
+/// characters than line ends.
+///
 /// A line or signal that is not understood, impossible or a duplicate is skipped; a warning names
 /// its line. So is a signal beyond the first DbcMessage::kMaxSignals of a message, and a comment
 /// without its closing quotation mark. Units, value texts and long names are cut (kDbcUnit,
-/// kDbcWord, kDbcName), with a warning that names the line. A warning also names a message of which
-/// one frame can have more signals than are decoded (mostSignals()). If the file describes no
-/// message, the Error names the first thing that was skipped.
+/// kDbcWord, kDbcName), with a warning that names the line. A long name that another signal
+/// of the message has is left out in the same way. A warning also names a message of which one
+/// frame can have more signals than are decoded (mostSignals()). If the file describes no message,
+/// the Error names the first thing that was skipped.
 Result<DbcFile> readDbc(const std::string& path);
 
 /// Reads the same from a text; errors and warnings call it `path`.

@@ -341,9 +341,21 @@ void DbcMessages::leaveOut(const Place& place)
     leftOut_[place.message].insert(place.signal);
 }
 
-void DbcMessages::rename(const Place& place, std::string longName)
+void DbcMessages::rename(const Place& place, std::string longName, int line)
 {
-    longNames_.emplace_back(place, std::move(longName));
+    longNames_.push_back({place, std::move(longName), line});
+}
+
+void DbcMessages::assign(LongName longName)
+{
+    const auto& [place, name, line] = longName;
+    const auto owner = signals_.emplace(std::pair(place.message, name), place.signal).first->second;
+    if (owner != place.signal)
+        return warnings_.add(
+            line, Message(TR_NOOP("core", "the long name %1 of the signal %2 is left out: %3 has "
+                                          "another signal of that name"),
+                          shown(name), at(place).name, file_.messages[place.message].name));
+    at(place).name = std::move(longName.name);
 }
 
 /// Returns signals without a multiplexor, below a removed one, or nested too deep; a circle counts
@@ -368,7 +380,7 @@ std::vector<bool> DbcMessages::unselectable(std::size_t message) const
 
 void DbcMessages::finish()
 {
-    for (auto& [place, longName] : longNames_) at(place).name = std::move(longName);
+    for (LongName& longName : longNames_) assign(std::move(longName));
     for (std::size_t i = 0; i < file_.messages.size(); ++i) {
         finish(i, unselectable(i));
         warnOfOverlap(i);

@@ -67,7 +67,8 @@ public:
     void select(const Place& place, const std::string& multiplexor,
                 std::vector<DbcSignal::Selection> ranges, int line);
     void leaveOut(const Place& place);  ///< removes it at the end of the file
-    void rename(const Place& place, std::string longName);
+    /// Names a signal anew at the end of the file, unless another one of its message has the name.
+    void rename(const Place& place, std::string longName, int line);
 
     /// Ends the file: removes signals whose selection is unknown, and assigns long names.
     void finish();
@@ -78,12 +79,19 @@ private:
         int line = 0;
         bool selects = false;  // true: the signal is a multiplexor (M)
     };
+    /// Long name of a signal, and its line.
+    struct LongName {
+        Place place;
+        std::string name;
+        int line = 0;
+    };
     bool mayBe(std::uint64_t id, const DbcMessage& m, int length, int line);
     std::optional<Multiplexing> multiplex(DbcSignal& s, int line);
     void scaleAndRange(DbcSignal& s);
     void range(DbcSignal& s);
     void keep(DbcSignal s, const Multiplexing& multiplexing);
     std::vector<bool> unselectable(std::size_t message) const;
+    void assign(LongName longName);
     void finish(std::size_t message, std::vector<bool> isOut);
     void warnOfOverlap(std::size_t message);
 
@@ -95,7 +103,7 @@ private:
     std::vector<int> begins_;  // line of each message
     std::vector<int> lines_;   // line of the first multiplexed signal of each message
     std::map<std::size_t, std::set<std::size_t>> leftOut_;
-    std::vector<std::pair<Place, std::string>> longNames_;
+    std::vector<LongName> longNames_;
 
     // State of the message that is being read.
     bool isOpen_ = false, keeps_ = false;

@@ -77,9 +77,7 @@ std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bi
         const auto scale = unitsOf(signal.scale, digits, kMaxUnits);
         const auto offset = unitsOf(signal.offset, digits, kMaxOffset);
         if (!scale || !offset) continue;
-        const Wide raw = signal.type == DbcSignal::Type::Signed ? Wide{rawOf(signal, bits)}
-                                                                : static_cast<Wide>(bits);
-        return textOf(raw * *scale + *offset, digits);
+        return textOf(rawOf(signal, bits) * *scale + *offset, digits);
     }
     return std::nullopt;
 }

@@ -130,18 +130,37 @@ std::string_view DbcScanner::word(SourceText what)
     return {};
 }
 
-double DbcScanner::number(SourceText what)
+std::string_view DbcScanner::numberToken()
 {
     skipBlanks();
     const std::size_t begin = at_;
     while (at_ < text_.size() && isOfNumber(text_[at_])) ++at_;
     std::string_view found = text_.substr(begin, at_ - begin);
     if (found.starts_with('+')) found.remove_prefix(1);
-    const std::optional<double> value = numberFrom(found);
+    return found;
+}
+
+double DbcScanner::number(SourceText what)
+{
+    skipBlanks();
+    const std::size_t begin = at_;
+    const std::optional<double> value = numberFrom(numberToken());
     if (value && std::isfinite(*value)) return *value;
     at_ = begin;
     fail(Message(TR_NOOP("core", "%1, a number"), what));
     return 0.0;
+}
+
+std::optional<DbcRaw> DbcScanner::raw(SourceText what)
+{
+    const Place begin = place();
+    const std::string_view token = numberToken();
+    if (const auto whole = integerFrom<std::int64_t>(token)) return *whole;
+    if (const auto whole = integerFrom<std::uint64_t>(token)) return *whole;
+    at_ = begin.at;
+    const double rounded = std::round(number(what));
+    if (!(std::abs(rounded) <= 0x1p53)) return std::nullopt;
+    return static_cast<DbcRaw>(rounded);
 }
 
 std::uint64_t DbcScanner::whole(SourceText what, std::uint64_t most)

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/message.h"
+#include "core/wire/dbc/dbc.h"
 
 namespace terratact {
 
@@ -44,6 +46,9 @@ public:
     void expect(char c, SourceText place);  ///< place: with %1 for the character
     std::string_view word(SourceText what);
     double number(SourceText what);
+    /// Returns a number rounded to a whole one. Empty without a failure: it has more than 64 bits,
+    /// or is beyond 2⁵³ and written with a point or an exponent.
+    std::optional<DbcRaw> raw(SourceText what);
     std::uint64_t whole(SourceText what, std::uint64_t most);
     std::string_view text(SourceText what);  ///< text between quotation marks, unchanged
     /// Returns a text behind which the section's semicolon is expected. Without the semicolon, a text
@@ -65,6 +70,7 @@ public:
     void refuse(Message failure);  ///< sets the failure to this sentence
 
 private:
+    std::string_view numberToken();  ///< without a plus sign
     void failUnclosed(const Place& begin, SourceText what);
     void advance();
     void advanceEscaped();  ///< past a character, and past a backslash with the next one

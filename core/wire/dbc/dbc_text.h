@@ -12,7 +12,6 @@ inline constexpr std::size_t kDbcName = 128, kDbcText = 2000;  ///< [bytes] long
 inline constexpr std::size_t kDbcUnit = 64, kDbcWord = 255;    ///< [bytes] of a signal's values
 inline constexpr std::size_t kDbcShown = 80;  ///< [bytes] longest text in a line for people
 
-bool isUtf8(std::string_view text);
 /// Converts Windows code page 1252 to UTF-8. It is ISO 8859-1 with letters in place of its control
 /// characters.
 std::string fromWindows1252(std::string_view text);

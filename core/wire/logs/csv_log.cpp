@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,20 @@ std::optional<std::vector<std::uint8_t>> bytesOfBase64(std::string_view text)
         bytes.push_back(static_cast<std::uint8_t>(bits >> count));
     }
     return bytes;
+}
+
+/// Returns true for "1.67E+08", as a spreadsheet writes the number 166780000 or the identifier 1E5.
+bool hasLostDigits(std::string_view field)
+{
+    const std::size_t mark = field.find("E+");
+    return mark != std::string_view::npos && isDigits(field.substr(mark + 2));
+}
+
+Error lostDigits(std::string_view field)
+{
+    return Error{Message(TR_NOOP("core", "%1 has lost its digits in a spreadsheet: export the log "
+                                         "again, and keep this column as text"),
+                         shown(field))};
 }
 
 enum class Dialect : std::uint8_t { Gvret, PythonCan, Own };
@@ -110,6 +125,7 @@ private:
         constexpr double kMicroseconds = 1e6;
         const std::string_view text =
             field(fields, dialect_ == Dialect::Own ? "__time" : "timestamp");
+        if (hasLostDigits(text)) return lostDigits(text);
         const bool isWhole = text.find_first_of(".,") == std::string_view::npos;
         const Result<double> time =
             logSeconds(text, dialect_ == Dialect::Gvret && isWhole ? kMicroseconds : 1.0);
@@ -147,6 +163,7 @@ private:
         CanFrame& frame = logged.frame;
         std::string_view digits =
             field(fields, dialect_ == Dialect::PythonCan ? "arbitration_id" : "id");
+        if (hasLostDigits(digits)) return lostDigits(digits);
         if (digits.starts_with("0x")) digits.remove_prefix(2);
         frame.extended = frame.extended || frame.error;  // an error class also has 29 bits
         Status done = setFrameId(frame, digits, dialect_ == Dialect::Own ? 10 : 16);
@@ -193,7 +210,8 @@ private:
             std::string_view digits =
                 first + i < fields.size() ? fields[first + i] : std::string_view();
             if (digits.starts_with("0x")) digits.remove_prefix(2);
-            if (Status done = setFrameByte(frame, i, digits); !done) return done;
+            // A spreadsheet drops leading zeros.
+            if (Status done = setFrameByte(frame, i, digits, 16, 1); !done) return done;
         }
         countLonger(fields, first + frame.length);
         return Done{};

@@ -4,6 +4,18 @@
 #include <cmath>
 
 namespace terratact {
+namespace {
+
+/// Returns a difference of two times [s]. If they are since 1970, it is rounded to microseconds: a
+/// double holds no more digits of them.
+double withoutNoise(double difference, double time)
+{
+    constexpr double kSince1970 = 1e8, kPerSecond = 1e6;
+    return std::abs(time) < kSince1970 ? difference
+                                       : std::round(difference * kPerSecond) / kPerSecond;
+}
+
+}  // namespace
 
 std::optional<double> LogClock::add(double time, const std::string& interface)
 {
@@ -24,7 +36,7 @@ std::optional<double> LogClock::add(double time, const std::string& interface)
         base_ = time - elapsed_;
         lastOf_.clear();
     }
-    elapsed_ = std::max(elapsed_, time - base_);
+    elapsed_ = std::max(elapsed_, withoutNoise(time - base_, time));
     last_ = isSet ? time : std::max(last_, time);
     if (lastOf_.size() < kMaxInterfaces || lastOf_.contains(interface)) lastOf_[interface] = time;
     return step;

@@ -22,7 +22,7 @@ public:
     std::optional<double> add(double time, const std::string& interface);
 
     /// Returns the time since the first frame [s], which never decreases. It continues after a jump
-    /// from where it was.
+    /// from where it was. Times since 1970 give whole microseconds.
     double elapsed() const { return elapsed_; }
 
     std::size_t frames() const { return frames_; }

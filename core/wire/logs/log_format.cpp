@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/store/content_kind.h"
 #include "core/wire/logs/log_text.h"
 
 namespace terratact {
@@ -25,11 +26,12 @@ std::vector<std::string> plainFieldsOf(std::string_view line)
     return fields;
 }
 
-/// Returns true for a GVRET line without a heading: "1000000,00000500,false,0,3,DD,FF,01,".
+/// Returns true for a GVRET line without a heading: "1000000,00000500,false,0,3,DD,FF,01,". A
+/// spreadsheet may have written its time as 1E+06.
 bool isGvretLine(std::string_view line)
 {
     const std::vector<std::string> fields = plainFieldsOf(line);
-    return fields.size() >= 5 && isNumber(fields[0])
+    return fields.size() >= 5 && isDigits(fields[0].substr(0, 1)) && numberFrom(fields[0])
         && (fields[2] == "false" || fields[2] == "true");
 }
 
@@ -67,11 +69,49 @@ bool isTrcLine(std::string_view first)
     return first.size() > 1 && first.ends_with(')') && isDigits(first.substr(0, first.size() - 1));
 }
 
+/// Returns true for a line of slcan: "t12380011223344556677", with or without a time of 16 bits.
+bool isSlcanLine(std::string_view line)
+{
+    constexpr std::size_t kTime = 4;
+    const std::string_view digits = line.substr(std::min<std::size_t>(1, line.size()));
+    const std::size_t id = line.starts_with('t') || line.starts_with('r') ? 3
+                         : line.starts_with('T') || line.starts_with('R') ? 8
+                                                                          : digits.size();
+    if (digits.size() <= id || digits.find_first_not_of("0123456789ABCDEFabcdef") < digits.size())
+        return false;
+    const auto length = integerFrom<std::size_t>(digits.substr(id, 1));
+    if (!length || *length > kClassicBytes) return false;
+    const bool isRemote = line.starts_with('r') || line.starts_with('R');
+    const std::size_t bytes = digits.size() - id - 1, expected = isRemote ? 0 : 2 * *length;
+    return bytes == expected || bytes == expected + kTime;
+}
+
 Message convert(SourceText kind)
 {
     return {TR_NOOP("core", "is %1; expected a log of candump, .asc, .trc, or CSV of GVRET or "
                             "python-can: export it as one of them"),
             kind};
+}
+
+/// Returns why a kind of file is no log, and what to do. Empty: this kind alone does not say.
+Message refusalAsLog(ContentKind kind)
+{
+    switch (kind) {
+    case ContentKind::Zip: return TR_NOOP("core", "is a ZIP archive: unpack it");
+    case ContentKind::OldWorkbook:
+        return convert(TR_NOOP("core", "a workbook of an office program"));
+    case ContentKind::Pdf: return convert(TR_NOOP("core", "a PDF file"));
+    case ContentKind::Sqlite:
+    case ContentKind::Session:
+        return TR_NOOP("core", "is a session or another SQLite file; expected a log of CAN frames: "
+                               "session export makes one of a session");
+    case ContentKind::Plain:
+    case ContentKind::Utf16:
+    case ContentKind::Utf32:
+    case ContentKind::Gzip:
+    case ContentKind::Journal: break;
+    }
+    return {};
 }
 
 /// Returns the kind of another text by its beginning; empty if none is known.
@@ -89,6 +129,9 @@ Message otherKindOf(std::string_view line, std::string_view first)
     LogWords words(line);
     (void)words.next();
     const std::string_view second = words.next();
+    if (isSlcanLine(first) && second.empty())
+        return TR_NOOP("core",
+                       "is a log of slcan, which is not read: record the bus with candump -l");
     const bool isCrtd = isNumber(first) && second.size() >= 3
                      && (second.ends_with("R11") || second.ends_with("R29")
                          || second.ends_with("T11") || second.ends_with("CXX"));
@@ -134,6 +177,8 @@ Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line)
         return std::unique_ptr<LogFormat>();
     if (isCsvHeading(begin) || isGvretLine(begin)) return csvFormat(begin);
     if (Message other = otherKindOf(begin, first); !other.empty()) return Error{std::move(other)};
+    if (!isUtf8(begin) || begin.find('\0') != std::string_view::npos)
+        return Error{convert(TR_NOOP("core", "no text in UTF-8"))};
     return candumpFormat();
 }
 
@@ -144,14 +189,9 @@ Message binaryKindOf(std::string_view begin)
         Magic{"LOGG"sv, TR_NOOP("core", "a binary log of Vector (.blf)"), Cure::AsText},
         Magic{"MDF     "sv, TR_NOOP("core", "a measurement file (.mf4, .mdf)"), Cure::AsText},
         Magic{"\x89MCAP0"sv, TR_NOOP("core", "an MCAP file")},
-        Magic{"SQLite format 3\0"sv,
-              TR_NOOP("core", "is a session or another SQLite file; expected a log of CAN frames: "
-                              "session export makes one of a session"),
-              Cure::Said},
         Magic{"\x0A\x0D\x0D\x0A"sv, TR_NOOP("core", "a capture of Wireshark (.pcapng)")},
         Magic{"\xD4\xC3\xB2\xA1"sv, TR_NOOP("core", "a capture of tcpdump (.pcap)")},
         Magic{"\xA1\xB2\xC3\xD4"sv, TR_NOOP("core", "a capture of tcpdump (.pcap)")},
-        Magic{"PK\x03\x04"sv, TR_NOOP("core", "is a ZIP archive: unpack it"), Cure::Said},
         Magic{"\xFD"
               "7zXZ"sv,
               TR_NOOP("core", "is packed by xz: unpack it (xz -d)"), Cure::Said},
@@ -171,7 +211,7 @@ Message binaryKindOf(std::string_view begin)
                                 "one"),
                 kind};
     }
-    return {};
+    return refusalAsLog(contentKind(begin));
 }
 
 }  // namespace terratact

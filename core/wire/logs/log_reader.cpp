@@ -29,9 +29,25 @@ LogBytes::Source sourceOf(std::unique_ptr<std::istream> log)
 
 constexpr std::size_t kMaxZeroRemarks = 100;
 
+/// Returns a step of the clock [s] with six digits, and never with an exponent.
+std::string stepText(double seconds)
+{
+    constexpr double kSixDigits = 1e5;
+    return seconds < kSixDigits ? fmt::format("{:.6g}", seconds) : fmt::format("{:.0f}", seconds);
+}
+
 bool isZeros(std::string_view text)
 {
     return text.find_first_not_of('\0') == std::string_view::npos;
+}
+
+/// Returns true if the last byte of a GVRET line has one digit. Spreadsheets drop leading zeros, and
+/// a torn line drops the second digit.
+bool mayLackADigit(std::string_view line, const CanFrame& frame)
+{
+    const std::size_t separator = line.find_last_of(",;\t");
+    return separator != std::string_view::npos && separator + 2 == line.size() && frame.length > 0
+        && !frame.remote;
 }
 
 /// Consumes zero bytes, at most `most`. Returns true if something else follows them.
@@ -198,6 +214,19 @@ void LogReader::tear(const Message& what)
     remark(what);
 }
 
+Message LogReader::clockDoubt() const
+{
+    const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
+    // In candump -td every time is relative to the line before.
+    const bool isRelative = format_ && format_->name() == "candump" && clock_.first() == 0.0
+                         && steps >= 3 && 4 * clock_.notLater() >= steps;
+    if (!isRelative) return {};
+    return {TR_NOOP("core",
+                    "%1 of %2 times are no later than the one before, from 0 on: is this a log "
+                    "of candump -td, whose times are wrong here? Record with candump -L"),
+            clock_.notLater(), steps};
+}
+
 /// Adds the last remarks.
 std::optional<LoggedFrame> LogReader::end()
 {
@@ -217,20 +246,8 @@ std::optional<LoggedFrame> LogReader::end()
             fileError(name_, Message(TR_NOOP("core", "the clock is set %1 more times"),
                                      steps_ - kMaxSteps))
                 .message);
-    const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
-    // In candump -td every time is relative to the line before.
-    if (format_ && format_->name() == "candump" && clock_.first() == 0.0 && steps >= 3
-        && 4 * clock_.notLater() >= steps)
-        remarks_.push_back(
-            fileError(
-                name_,
-                Message(
-                    TR_NOOP(
-                        "core",
-                        "%1 of %2 times are no later than the one before, from 0 on: is this a log "
-                        "of candump -td, whose times are wrong here? Record with candump -L"),
-                    clock_.notLater(), steps))
-                .message);
+    if (Message doubt = clockDoubt(); !doubt.empty())
+        remarks_.push_back(fileError(name_, std::move(doubt)).message);
     const std::uint64_t passed = format_ ? format_->passedOver() : 0;
     if (passed == 1)
         remarks_.push_back(
@@ -265,12 +282,12 @@ void LogReader::watchClock(const LoggedFrame& logged)
     if (*step_ < 0.0)
         return remark({TR_NOOP("core", "%1 s later than the line before: was the clock set? The "
                                        "silence is left out"),
-                       fmt::format("{:.10g}", -*step_)});
+                       stepText(-*step_)});
     const SourceText earlier =
         isCandump ? TR_NOOP("core", "%1 s earlier than the line before: was the clock set, or is "
                                     "this a log of candump -td?")
                   : TR_NOOP("core", "%1 s earlier than the line before: was the clock set?");
-    remark({earlier, fmt::format("{:.6g}", *step_)});
+    remark({earlier, stepText(*step_)});
 }
 
 Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
@@ -286,7 +303,9 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
         remark(TR_NOOP("core", "has no line end: it is read, but may be truncated"));
     if (taken && !*taken && line == Line::Unended && format_->passedOver() > passed)
         tear(TR_NOOP("core", "has no line end and holds no frame: it may be torn"));
-    if (taken) return taken;
+    const bool isCut = taken && *taken && line == Line::Unended && format_->name() == "GVRET CSV"
+                    && mayLackADigit(text_, (*taken)->frame);
+    if (taken && !isCut) return taken;
     if (line == Line::Whole) return error(taken.error().message);
     tear(TR_NOOP("core", "is torn: the log ends within it; what came before is read"));
     return std::optional<LoggedFrame>{};

@@ -22,7 +22,8 @@ namespace terratact {
 /// pipe). One line and two blocks are held in memory.
 ///
 /// A truncated last line ends the log. Zero bytes and text that they cut are left out. A compact
-/// candump line without line end is read if it holds a frame; its data may be truncated. See remarks.
+/// candump line without line end is read if it holds a frame; its data may be truncated. A GVRET
+/// line without line end is truncated if its last byte has one digit. See remarks.
 class LogReader {
 public:
     static constexpr std::size_t kMaxLineLength = 1000;        ///< bytes
@@ -52,6 +53,9 @@ public:
     /// negative for a jump forward of more than LogClock::kMaxJumpForward. Empty: no jump.
     const std::optional<double>& stepBack() const { return step_; }
     std::uint64_t stepsBack() const { return steps_; }  ///< number of frames with a stepBack()
+    /// Returns a sentence if the times look like those of candump -td, each since the line before.
+    /// Else it is empty. It is complete after the last frame.
+    Message clockDoubt() const;
     bool isTorn() const { return isTorn_; }
 
     /// Returns the remarks since the last call, each a sentence that names file and line. Subjects:

@@ -82,12 +82,13 @@ std::size_t bytesOfCode(unsigned code)
     return code <= kClassicBytes ? code : kLongFdLengths.at(std::min(code, 15U) - 9);
 }
 
-Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int base)
+Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int base,
+                    std::size_t least)
 {
     const std::size_t most = base == 10 ? 3 : 2;
     const auto byte =
         digits.size() <= most ? integerFrom<std::uint8_t>(digits, base) : std::nullopt;
-    if (!byte || (base == 16 && digits.size() != 2))
+    if (!byte || (base == 16 && digits.size() < least))
         return expectedInLog(base == 10 ? TR_NOOP("core", "a byte from 0 to 255")
                                         : TR_NOOP("core", "a byte of two hexadecimal digits"),
                              digits);

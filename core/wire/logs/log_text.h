@@ -46,9 +46,10 @@ Status setFrameLength(CanFrame& frame, std::size_t length, std::string_view foun
 /// Returns the number of bytes of a CAN FD length code; code: 0 … 15.
 std::size_t bytesOfCode(unsigned code);
 
-/// Sets byte i of the frame from one or two digits. A byte beyond the frame's space is only
-/// checked.
-Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int base = 16);
+/// Sets byte i of the frame from one to three decimal digits, or from `least` to two hexadecimal
+/// digits. A byte beyond the frame's space is only checked.
+Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int base = 16,
+                    std::size_t least = 2);
 
 /// Sets the identifier, which must have 29 bits if `frame.extended`, else 11.
 Status setFrameId(CanFrame& frame, std::string_view digits, int base = 16);

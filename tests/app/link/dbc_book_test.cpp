@@ -137,6 +137,32 @@ TEST_F(Books, findParameterGroupsFromAnySource)
     EXPECT_EQ(reader->read(frame, 0.0).verdict, "CAN FD frame");
 }
 
+TEST_F(Books, preferTheParameterGroupOfTheFramesSource)
+{
+    const std::string any = "BO_ 2364540158 EEC1: 8 X\n", gearbox = "BO_ 2364539907 Gearbox: 8 X\n",
+                      last = "BO_ 2364539908 Last: 8 X\nBA_ \"ProtocolType\" \"J1939\";\n";
+    for (const std::string& text : {any + gearbox + last, gearbox + any + last}) {
+        DbcBook groups;
+        ASSERT_TRUE(groups.add(write("j.dbc", text)));
+        const auto nameOf = [&](std::uint32_t id) {
+            return groups.find(gas(id, true))->message.name;
+        };
+        EXPECT_EQ(nameOf(0x0CF00403), "Gearbox");
+        EXPECT_EQ(nameOf(0x04F00403), "Gearbox") << "another priority";
+        EXPECT_EQ(nameOf(0x18F00404), "Last");
+        EXPECT_EQ(nameOf(0x04F00405), "EEC1") << "of no described source";
+    }
+    ASSERT_TRUE(book.add(write("k.dbc", gearbox + last)));
+    EXPECT_EQ(book.find(gas(0x04F00405, true))->message.name, "Gearbox") << "the first";
+}
+
+TEST_F(Books, showTheNumberForABlankWord)
+{
+    ASSERT_TRUE(book.add(write("gas.dbc", std::string(kGas) + "VAL_ 291 Oxygen 2071 \"\" ;\n")));
+    const std::vector<NamedValue> expected{{"Oxygen", "20.71", "%"}, {"State", "stand-by", ""}};
+    EXPECT_EQ(valuesOf(book.find(gas())->message, gas()), expected);
+}
+
 TEST_F(Books, nameTheSignalsThatAShortFrameLacks)
 {
     ASSERT_TRUE(book.add(write("fd.dbc", "BO_ 1291 Fd: 64 X\n"

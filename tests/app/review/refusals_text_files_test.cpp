@@ -244,6 +244,9 @@ TEST(Refusals, ofDbcFiles)
     for (int i = 0; i < 30; ++i) many += message;
     read(many);
     read(std::string("\0", 1));
+    read(text + std::string("\0", 1));
+    read(text + "VAL_ 256 Mode_1 1e30 \"far\" ;\n");
+    read(text + "BA_ \"SystemSignalLongSymbol\" SG_ 256 Speed_1 \"Mode_1\";\n");
     DbcBook book;
     refusals.add(book.add("/dev/null"));
     refusals.add(book.add(dir.file("none.dbc")));
@@ -264,7 +267,8 @@ TEST(Refusals, ofLogs)
          "python-can", "MCAP",    "Vector",  "BusMaster", "Microchip",      "CRTD",  "canboat",
          "NMEA",       "JSON",    "XML",     "Wireshark", "tcpdump",        "ZIP",   "session",
          "export",     "BRS",     "ESI",     "true",      "false",          "xz",    "zstd",
-         "Rx",         "Tx",      "dlc",     "base",      "can_logconvert", "--dbc", "-d"});
+         "Rx",         "Tx",      "dlc",     "base",      "can_logconvert", "--dbc", "-d",
+         "slcan",      "-l"});
     const auto read = [&](const std::string& log) {
         LogReader reader("broken.log", std::make_unique<std::istringstream>(log));
         for (;;) {
@@ -311,6 +315,9 @@ TEST(Refusals, ofLogs)
           "VERSION \"\""s, "2016-04-09T16:41:09.078Z,3,127257,17,255,8,00"s, "{}"s, "Time,a"s,
           "\x1F\x8B\x08\x08 and nothing that is packed"s})
         read(kind + "\n");
+    for (const char* const kind : {"%PDF-1.4\n", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", "\x89PNG\n",
+                                   "t1230\n", "1.67E+08,00000500,false,0,1,DD\n"})
+        read(kind);
     const TemporaryDirectory dir;
     for (const auto& path : {dir.write("empty.log", ""), dir.file("."), dir.file("none.log"),
                              dir.write("two.log", "(1.5) can0 044#2A\n(1.6) can1 044#2A\n"),

@@ -81,6 +81,14 @@ TEST(IsControl, isTrueForAsciiControlCharacters)
     for (const char c : std::string("\x20~č")) EXPECT_FALSE(isControl(c));
 }
 
+TEST(IsUtf8, isTrueForWholeCharactersOnly)
+{
+    for (const char* const text : {"", "plain", "Wärme: běží", "€", "\U0001F916"})
+        EXPECT_TRUE(isUtf8(text)) << text;
+    for (const char* const text : {"W\xE4rme", "\xE2\x82", "\xC0\x80", "\xED\xA0\x80", "\x80"})
+        EXPECT_FALSE(isUtf8(text)) << shown(text);
+}
+
 TEST(Shown, putsUntrustedTextOnOneShortLine)
 {
     EXPECT_EQ(shown("pitch"), "'pitch'");

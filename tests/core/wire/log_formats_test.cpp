@@ -209,9 +209,26 @@ TEST(Logs, asCsvMayBeSavedByASpreadsheet)
         ASSERT_EQ(log.frames.size(), 1U) << text << log.error;
         EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD, 0xFF})) << text;
     }
+    const Log shortened =
+        read("Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2\n1000000,500,FALSE,Rx,0,2,A,0\n");
+    ASSERT_EQ(shortened.frames.size(), 1U) << "without leading zeros" << shortened.error;
+    EXPECT_EQ(shortened.frames[0].frame, data(0x500, {0x0A, 0}));
     for (const char* const text : {"ID,DLC,Data,Time\n", "1,2,3,4,5\n", "a;b;c;d\n"})
         EXPECT_NE(read(text).error.find("is a table"), std::string::npos) << read(text).error;
     EXPECT_EQ(read(" can0  123   [2]  2C 2C   ',,'\n").error, "");
+}
+
+TEST(Logs, asCsvThatASpreadsheetHasRoundedAreRefused)
+{
+    const std::string heading = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n";
+    const auto refusalOf = [](const std::string& text) { return read(text).error; };
+    EXPECT_EQ(refusalOf(heading + "1.67E+08,500,false,Rx,0,1,DD\n"),
+              "a.log: line 2: '1.67E+08' has lost its digits in a spreadsheet: export the log "
+              "again, and keep this column as text");
+    for (const std::string& text : {heading + "1000000,1.00E+05,false,Rx,0,1,DD\n",
+                                    std::string("1.67E+08,00000500,false,Rx,0,1,DD\n")})
+        EXPECT_NE(refusalOf(text).find("has lost its digits"), std::string::npos)
+            << refusalOf(text);
 }
 
 }  // namespace

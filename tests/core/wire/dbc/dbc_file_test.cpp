@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -402,6 +403,23 @@ TEST(DbcFile, aUnitThatDoesNotEndTakesNoOtherSignalAway)
     ASSERT_EQ(file->warnings.size(), 1U);
     EXPECT_TRUE(
         file->warnings[0].english().starts_with("f.dbc: line 2: expected a quotation mark"));
+}
+
+TEST(DbcFile, readsAZeroByteAsABlankWithItsLine)
+{
+    std::string text = "BO_ 256 M: 8 A\n SG_ Q : 0|8@1+ (1,0) [0|0] \"\" A\n"
+                       "CM_ SG_ 256 Q \"of~air\";\nBO_ 257~N: 8 A\n"
+                       " SG_ R~R : 0|8@1+ (1,0) [0|0] \"\" A\n";
+    std::replace(text.begin(), text.end(), '~', '\0');
+    const auto file = parsed(text);
+    ASSERT_TRUE(file) << file.error().text;
+    ASSERT_EQ(file->messages.size(), 2U);
+    EXPECT_EQ(file->messages[0].payload.at(0).comment, "of air");
+    EXPECT_TRUE(file->messages[1].payload.empty()) << "its name is damaged";
+    ASSERT_EQ(file->warnings.size(), 4U);
+    EXPECT_EQ(file->warnings[0].english(),
+              "f.dbc: line 3: has zero bytes, which are read as blanks");
+    EXPECT_TRUE(refused(parsed(text + std::string(100, '\0')), "f.dbc", {"is no text"}));
 }
 
 TEST(DbcFile, linesMayEndWithCrAlone)

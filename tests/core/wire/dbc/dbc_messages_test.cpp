@@ -66,6 +66,46 @@ TEST(DbcBounds, longTextsOfValuesAreCutWithTheirLine)
               "f.dbc: line 4: a long name is longer than 128 bytes: the rest is left out");
 }
 
+TEST(DbcBounds, blankWordsAndWordsBeyond64BitsAreLeftOut)
+{
+    const auto file =
+        parsed("BO_ 256 M: 8 A\n SG_ Q : 0|64@1+ (1,0) [0|0] \"\" A\n"
+               "VAL_ 256 Q 0 \"\" 1 \" \" 2 \"two\" 1.8446744073709552E19 \"SNA\" ;\n");
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->messages.at(0).payload.at(0).words.size(), 1U);
+    ASSERT_EQ(file->warnings.size(), 1U);
+    EXPECT_EQ(file->warnings[0].english(),
+              "f.dbc: line 3: the word 'SNA' is left out: expected its raw value in at most 64 "
+              "bits, with all its digits");
+}
+
+TEST(DbcNames, giveNoLongNameToTwoSignals)
+{
+    const auto file = parsed("BO_ 256 M: 8 A\n SG_ A : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                             " SG_ B : 8|8@1+ (1,0) [0|0] \"\" B\n"
+                             " SG_ C : 16|8@1+ (1,0) [0|0] \"\" B\n"
+                             "BO_ 257 N: 8 A\n SG_ A : 0|8@1+ (1,0) [0|0] \"\" B\n"
+                             "BA_ \"SystemSignalLongSymbol\" SG_ 256 A \"Same\";\n"
+                             "BA_ \"SystemSignalLongSymbol\" SG_ 256 A \"Same\";\n"
+                             "BA_ \"SystemSignalLongSymbol\" SG_ 256 B \"Same\";\n"
+                             "BA_ \"SystemSignalLongSymbol\" SG_ 256 C \"B\";\n"
+                             "BA_ \"SystemSignalLongSymbol\" SG_ 257 A \"Same\";\n");
+    ASSERT_TRUE(file) << file.error().text;
+    const auto& payload = file->messages.at(0).payload;
+    ASSERT_EQ(payload.size(), 3U);
+    EXPECT_EQ(payload[0].name, "Same");
+    EXPECT_EQ(payload[1].name, "B") << "the short name";
+    EXPECT_EQ(payload[2].name, "C");
+    EXPECT_EQ(file->messages.at(1).payload.at(0).name, "Same") << "of another message";
+    ASSERT_EQ(file->warnings.size(), 2U);
+    EXPECT_EQ(file->warnings[0].english(),
+              "f.dbc: line 9: the long name 'Same' of the signal B is left out: M has another "
+              "signal of that name");
+    EXPECT_EQ(file->warnings[1].english(),
+              "f.dbc: line 10: the long name 'B' of the signal C is left out: M has another signal "
+              "of that name");
+}
+
 /// Returns signals S0, S1 … of the first bit. multiplexing: of each, with a blank before it.
 std::string firstBits(std::size_t count, const std::string& multiplexing = "")
 {

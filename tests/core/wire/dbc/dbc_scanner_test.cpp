@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/wire/dbc/dbc.h"
 #include "core/wire/dbc/dbc_file.h"
@@ -38,6 +41,25 @@ TEST(DbcTexts, anOpenQuoteTakesNoOtherLineAway)
     ASSERT_EQ(file->warnings.size(), 1U);
     EXPECT_TRUE(
         file->warnings[0].english().starts_with("f.dbc: line 1: expected a quotation mark"));
+}
+
+TEST(DbcScanner, readsRawValuesWithAllTheirDigits)
+{
+    const auto raw = [](std::string_view text) {
+        DbcScanner scan(text);
+        const std::optional<DbcRaw> read = scan.raw(TR_NOOP("core", "a raw value"));
+        EXPECT_TRUE(scan.failure().empty() && scan.atEnd()) << text;
+        return read;
+    };
+    const DbcRaw highest = ~std::uint64_t{0};
+    EXPECT_TRUE(raw("18446744073709551615") == highest && raw("+18446744073709551615") == highest);
+    EXPECT_TRUE(raw("-9223372036854775808") == -(highest / 2) - 1);
+    EXPECT_TRUE(raw("2.0") == DbcRaw{2} && raw("1E3") == DbcRaw{1000});
+    for (const char* const lost : {"18446744073709551616", "1.8446744073709552E+19", "-1e16"})
+        EXPECT_FALSE(raw(lost)) << lost;
+    DbcScanner none("zero");
+    EXPECT_TRUE(none.raw(TR_NOOP("core", "a raw value")));
+    EXPECT_FALSE(none.failure().empty());
 }
 
 TEST(DbcTexts, commentsMayHaveSeveralLines)

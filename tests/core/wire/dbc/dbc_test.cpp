@@ -120,6 +120,24 @@ TEST(DbcSignals, mayBeFloatsOfIeee754)
     EXPECT_EQ(valueOf(whole, frameOfBytes({0, 0, 0, 0, 0, 0, 0x04, 0xC0})), -2.5);
 }
 
+TEST(DbcWords, nameRawValuesOf64Bits)
+{
+    const DbcSignal s = onlySignal("0|64@1+ (1,0)", "VAL_ 256 S 18446744073709551615 \"SNA\" "
+                                                    "9223372036854775808 \"half\" -1 \"no\" "
+                                                    "9007199254740993 \"odd\" ;\n");
+    const auto word = [&](std::uint64_t bits) {
+        const std::string* const found = wordOfBits(s, bits);
+        return found ? *found : "none";
+    };
+    EXPECT_EQ(word(~std::uint64_t{0}), "SNA");
+    EXPECT_EQ(word(std::uint64_t{1} << 63U), "half");
+    EXPECT_EQ(word((std::uint64_t{1} << 53U) + 1U), "odd");
+    EXPECT_EQ(word(std::uint64_t{1} << 53U), "none");
+    const DbcSignal t = onlySignal("0|64@1- (1,0)", "VAL_ 256 S -1 \"minus\" ;\n");
+    ASSERT_TRUE(wordOfBits(t, ~std::uint64_t{0}));
+    EXPECT_EQ(*wordOfBits(t, ~std::uint64_t{0}), "minus");
+}
+
 TEST(DbcSignals, haveNoValueInAFrameThatHasNotTheirBits)
 {
     const DbcSignal s = onlySignal("8|8@1+ (1,0)");

@@ -1,6 +1,7 @@
 // Logs of CAN traffic in every readable format: their clocks, packing, truncated ends and refusals.
 #include "core/wire/logs/log_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -10,6 +11,8 @@
 #include <span>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "core/wire/logs/candump_log.h"
 #include "tests/core/wire/logs.h"
@@ -187,6 +190,17 @@ TEST(Logs, withATornEndGiveTheWholeLines)
         << "not at the end";
 }
 
+TEST(Logs, asCsvTornWithinAByteGiveTheWholeLines)
+{
+    const std::string whole =
+        "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2\n1000000,500,false,Rx,0,2,A,0F\n";
+    const Log log = read(whole + "1000100,500,false,Rx,0,2,DD,F");
+    EXPECT_EQ(log.frames.size(), 1U) << log.error;
+    EXPECT_TRUE(log.isTorn);
+    EXPECT_FALSE(read(whole.substr(0, whole.size() - 1)).isTorn);
+    EXPECT_FALSE(read(whole + "1000100,500,false,Rx,0,0").isTorn) << "no byte is missing";
+}
+
 TEST(Logs, withAClockStepBackContinueEvenly)
 {
     const Log log = read("(100000.00) can0 500#00\n(100000.05) can0 500#01\n"
@@ -201,6 +215,36 @@ TEST(Logs, withAClockStepBackContinueEvenly)
     EXPECT_EQ(log.remarks[0],
               "a.log: line 3: 3599.85 s earlier than the line before: was the clock "
               "set, or is this a log of candump -td?");
+}
+
+TEST(Logs, keepMicrosecondsOfTimesSince1970)
+{
+    std::string text;
+    std::vector<int> expected;  // [us]
+    for (int i = 0; i < 200; ++i) {
+        expected.push_back(i * 1'234'567 + (i < 100 ? 0 : -1'234'567));
+        const int micro = 223'456 + i * 1'234'567;
+        text += fmt::format("({}.{:06}) can0 500#\n",
+                            (i < 100 ? 1'700'000'000 : 1'690'000'000) + micro / 1'000'000,
+                            micro % 1'000'000);
+    }
+    const Log log = read(text);
+    ASSERT_EQ(log.elapsed.size(), expected.size()) << log.error;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(std::llround(log.elapsed[i] * 1e9), expected[i] * 1'000LL) << i;
+}
+
+TEST(Logs, writeStepsOfTheClockAlike)
+{
+    for (const auto& [first, second, said] :
+         {std::tuple{"1700000000.0", "1068848000.0", "631152000 s earlier"},
+          {"1068848000.0", "1700000000.0", "631152000 s later"},
+          {"1700000000.0", "1699999999.57", "0.43 s earlier"}}) {
+        const Log log = read(fmt::format("({}) can0 500#\n({}) can0 500#\n", first, second));
+        ASSERT_EQ(log.remarks.size(), 1U) << log.error;
+        EXPECT_NE(log.remarks[0].find(std::string("line 2: ") + said), std::string::npos)
+            << log.remarks[0];
+    }
 }
 
 TEST(Logs, reportFrequentClockStepsBriefly)
@@ -258,6 +302,15 @@ TEST(Logs, ofOtherKindsAreNamedWithTheirConverter)
         {"SQLite format 3\0"s, "session export"},
         {"\x0A\x0D\x0D\x0A"s, ".pcapng"},
         {"PK\x03\x04"s, "ZIP"},
+        {"%PDF-1.4\n%\xE2\xE3\n"s, "a PDF"},
+        {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"s, "a workbook"},
+        {"\x89PNG\r\n\x1A\n"s, "no text"},
+        {"\x7F"
+         "ELF\x02\0\0"s,
+         "no text"},
+        {"t12380011223344556677\n"s, "slcan"},
+        {"T1FFFFFFF1AA12CD\n"s, "candump -l"},
+        {"r1230\n"s, "slcan"},
         {"\xFD"
          "7zXZ\0"s,
          "xz -d"},
