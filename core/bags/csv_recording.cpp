@@ -95,7 +95,7 @@ public:
           timeColumn_(timeColumn), unit_(unit)
     {
         if (!unitRemark.empty()) remark(std::move(unitRemark));
-        topics_.push_back({.name = kCsvTopic, .type = "table", .encoding = "csv"});
+        topics_.push_back({.name = kCsvTopic, .type = "table", .encoding = kCsvEncoding});
     }
 
     std::string_view format() const override { return "CSV"; }

@@ -9,6 +9,8 @@ namespace terratact {
 
 /// Name of the only topic of a CSV file; its fields are the columns.
 inline constexpr const char* kCsvTopic = "/csv";
+/// Encoding of that topic, whose messages are the rows in the order of the file.
+inline constexpr const char* kCsvEncoding = "csv";
 
 /// Opens a CSV file of a time series: a line with the names of the columns, then a row for each time. A
 /// field that is no number is a text. The unit of times is that of `time`, that in the name of the

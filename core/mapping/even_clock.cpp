@@ -8,25 +8,22 @@
 namespace terratact {
 namespace {
 
-constexpr double kMaxFall = 1.0, kMaxRise = 3660.0 * 86'400.0;  // [s]
+constexpr double kMaxRise = 3660.0 * 86'400.0;  // [s]
 constexpr double kSameStep = 10.0;  // steps of two series that differ by less are one [s]
 constexpr std::int64_t kSecondNs = 1'000'000'000;
 
 }  // namespace
 
-std::optional<double> clockStepBetween(std::int64_t before, std::int64_t time)
+std::optional<double> clockStepBetween(std::int64_t before, std::int64_t time, double disorder)
 {
     // Doubles: the difference may be beyond 64 bits.
     const double back = (static_cast<double>(before) - static_cast<double>(time)) * 1e-9;
-    return back > kMaxFall || back < -kMaxRise ? std::optional(back) : std::nullopt;
+    return back > disorder || back < -kMaxRise ? std::optional(back) : std::nullopt;
 }
 
 std::int64_t EvenClock::Follower::add(std::int64_t time)
 {
-    const auto even = [this, time] {
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(time) + shift);
-    };
-    const auto back = before ? clockStepBetween(*before, time) : std::nullopt;
+    const auto back = before ? clockStepBetween(*before, time, disorder) : std::nullopt;
     if (back) {
         const bool isKnown =
             steps < clock.steps_.size() && std::abs(clock.steps_[steps].back - *back) < kSameStep;
@@ -34,13 +31,27 @@ std::int64_t EvenClock::Follower::add(std::int64_t time)
                                 - static_cast<std::uint64_t>(time)
                                 + static_cast<std::uint64_t>(interval);
         shift += isKnown ? clock.steps_[steps].shift : own;
-        if (steps == clock.steps_.size()) clock.steps_.push_back({even(), *back, own});
+        if (steps == clock.steps_.size())
+            clock.steps_.push_back({shifted(time, shift), *back, own});
         ++steps;
     } else if (before && time > *before) {
         interval = std::min(time - *before, kSecondNs);
     }
     before = time;
-    return even();
+    return shifted(time, shift);
+}
+
+void EvenClock::follow(const Row& row)
+{
+    if (isDisordered_) return;
+    rows_.add(row.time);
+    if (steps_.size() > kMaxSteps) {
+        isDisordered_ = true;
+        steps_.clear();
+        sizes_.clear();
+    } else if (steps_.size() > sizes_.size()) {
+        sizes_.push_back(row.sizes);
+    }
 }
 
 std::vector<std::string> clockRemarks(const std::vector<ClockStep>& steps)

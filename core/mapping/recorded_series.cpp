@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/bags/csv_recording.h"
 #include "core/base/text.h"
 #include "core/mapping/enumerators.h"
 #include "core/mapping/pose_samples.h"
@@ -121,12 +122,10 @@ private:
         const auto stamp = stampOf(*value);
         if (stamp)
             series_.stampOffsets.try_emplace(topic, static_cast<double>(time - *stamp) * 1e-9);
-        if (mapping_.byHeader) {
-            if (stamp)
-                time = *stamp;
-            else
-                unstamped_.insert(topic);
-        }
+        if (mapping_.byHeader && !stamp) unstamped_.insert(topic);
+        if (mapping_.byHeader && stamp) time = *stamp;
+        if (recording_.topics()[message.topic].encoding == kCsvEncoding)
+            clock_.addRow(time, [this](auto visit) { eachList(visit); });
         for (FieldReader& reader : fields_)
             if (reader.source->topic == topic) addValue(reader, *value, time);
         recorded_ = message.time;
@@ -295,34 +294,35 @@ private:
 
     Status finish()
     {
-        if (Status status = addAttitude(); !status) return status;
         makeEven();
+        if (Status status = addAttitude(); !status) return status;
         std::ranges::stable_sort(odometry_, {}, &PoseSample::time);
         addWay(odometry_, series_);
-        for (Series& series : series_.of) sort(series);
-        for (auto& side : series_.forces)
-            for (Series& series : side) sort(series);
+        series_.each([](Series& s) { std::ranges::stable_sort(s, {}, &SeriesSample::time); });
         integrateSpeed(series_, mapping_.maxGap);
         return checkOverlap();
     }
 
-    /// Lets times continue where the clock was set. Samples are still in the file's order.
+    /// Calls visit(samples) with each list of samples, which are in the file's order.
+    template <class Visit>
+    void eachList(Visit visit)
+    {
+        visit(attitude_);
+        series_.each(visit);
+        visit(odometry_);
+    }
+
+    /// Lets times continue where the clock was set.
     void makeEven()
     {
-        EvenClock clock;
-        for (Series& series : series_.of) clock.make(series);
-        for (auto& side : series_.forces)
-            for (Series& series : side) clock.make(series);
-        clock.make(odometry_);
-        series_.clockSteps = clock.steps();
-        for (std::string& remark : clockRemarks(clock.steps()))
+        eachList([this](auto& samples) { clock_.make(samples); });
+        series_.clockSteps = clock_.steps();
+        for (std::string& remark : clockRemarks(clock_.steps()))
             series_.remarks.push_back(std::move(remark));
-        if (clock.isDisordered())
+        if (clock_.isDisordered())
             series_.remarks.emplace_back("the messages are not in the order of their times; they "
                                          "were sorted");
     }
-
-    static void sort(Series& series) { std::ranges::stable_sort(series, {}, &SeriesSample::time); }
 
     /// Takes the poses of the base from transforms.
     void findOdometry()
@@ -424,6 +424,7 @@ private:
     std::vector<FieldReader> fields_;
     std::set<std::string> topics_, unstamped_;
     TopicDecoding decoding_;
+    EvenClock clock_;
     std::vector<PoseSample> attitude_, odometry_;
     std::string attitudeFrame_;
     std::int64_t recorded_ = 0;  ///< [ns] time of the message that is read

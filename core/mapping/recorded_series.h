@@ -36,6 +36,14 @@ struct RecordedSeries {
     {
         return of.at(static_cast<std::size_t>(quantity));
     }
+    /// Calls visit(series) with each series, those of the forces last.
+    template <class Visit>
+    void each(Visit visit)
+    {
+        for (Series& quantity : of) visit(quantity);
+        for (auto& side : forces)
+            for (Series& element : side) visit(element);
+    }
     std::vector<std::string> remarks{};   ///< sentences about what is missing or was left out
     std::vector<ClockStep> clockSteps{};  ///< where the clock was set, in the order of time
     /// How far header.stamp lies before the recorder's time [s], at each topic's first message.
@@ -48,7 +56,7 @@ struct RecordedSeries {
 /// The topics' times do not overlap. There are more than mostSamples() values. At most half of a topic's
 /// messages can be decoded. These are left out with a remark: values that are not finite, texts instead of
 /// numbers, messages that cannot be decoded, and missing optional fields. Where the clock was set, times
-/// continue evenly.
+/// continue evenly (EvenClock).
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot);
 

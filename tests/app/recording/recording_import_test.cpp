@@ -244,5 +244,27 @@ TEST_F(ImportedSessions, aSetClockIsAnEventAndNoLongSession)
     EXPECT_NEAR(secondsOf(step->time), 1.0, 1e-6);
 }
 
+TEST_F(ImportedSessions, aClockOfACsvSetBackALittleIsAnEvent)
+{
+    std::string rows = fmt::format("t,{}\n", kPoseColumns);
+    for (int i = 0; i < 40; ++i)
+        rows += fmt::format("{:.3f},{},0,0,0,0\n", 0.05 * i + (i < 20 ? 1000.0 : 999.52), 0.01 * i);
+    const auto done =
+        imported(directory.write("a.csv", rows), directory.write("m.toml", csvMapping()), "a.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_EQ(done->lines, 40U);
+    double pitch = -1.0;
+    for (const Measurement& line : linesOfSession(directory.file("a.tts"))) {
+        EXPECT_GT(line.pitch, pitch) << "the order of the file is kept";
+        pitch = line.pitch;
+    }
+    auto reader = SessionReader::open(directory.file("a.tts"));
+    const auto events = reader->events();
+    const auto step = std::ranges::find(events, EventKind::Gap, &EventRow::kind);
+    ASSERT_NE(step, events.end());
+    EXPECT_EQ(step->text,
+              "the recording's clock was set back by 0.430 s; the session continues evenly");
+}
+
 }  // namespace
 }  // namespace terratact

@@ -75,6 +75,61 @@ TEST(EvenClock, valuesWithoutAnOrderAreLeftAlone)
     EXPECT_TRUE(clock.steps().empty());
 }
 
+TEST(EvenClock, columnsShareTheStepsOfTheirRows)
+{
+    EvenClock clock;
+    std::vector<TimedSample> full, sparse;
+    const auto rows = timedAt({10, 10.2, 10.4, 10.1, 10.3, 10.3005, 10.3, 10.5});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        clock.addRow(rows[i].time, [&](auto visit) {
+            visit(full);
+            visit(sparse);
+        });
+        full.push_back(rows[i]);
+        if (i == 0 || i == 7) sparse.push_back(rows[i]);
+    }
+    clock.make(full);
+    clock.make(sparse);
+    const auto even = secondsOfSamples(full);
+    const std::vector<double> expected{10, 10.2, 10.4, 10.6, 10.8, 10.8005, 10.8, 11};
+    ASSERT_EQ(even.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(even[i], expected[i], 1e-9) << i;
+    EXPECT_NEAR(secondsOfSamples(sparse)[1], 11.0, 1e-9) << "it lacks the rows around the step";
+    ASSERT_EQ(clock.steps().size(), 1U) << "half a millisecond is jitter";
+    EXPECT_NEAR(clock.steps()[0].back, 0.3, 1e-6);
+    EXPECT_FALSE(clock.isDisordered());
+}
+
+TEST(EvenClock, aRowThatComesLateIsNoStep)
+{
+    EvenClock clock;
+    std::vector<TimedSample> series;
+    for (const TimedSample& row : timedAt({10, 10.2, 10.4, 10.15, 10.6, 10.8, 10.5})) {
+        clock.addRow(row.time, [&](auto visit) { visit(series); });
+        series.push_back(row);
+    }
+    const auto before = secondsOfSamples(series);
+    clock.make(series);
+    EXPECT_EQ(secondsOfSamples(series), before);
+    EXPECT_TRUE(clock.steps().empty());
+    EXPECT_FALSE(clock.isDisordered());
+}
+
+TEST(EvenClock, rowsWithoutAnOrderAreLeftAlone)
+{
+    EvenClock clock;
+    std::vector<TimedSample> falling;
+    for (int i = 0; i < 40; ++i) {
+        clock.addRow((100 - i) * kOneSecond, [&](auto visit) { visit(falling); });
+        falling.push_back({(100 - i) * kOneSecond});
+    }
+    const auto before = secondsOfSamples(falling);
+    clock.make(falling);
+    EXPECT_EQ(secondsOfSamples(falling), before);
+    EXPECT_TRUE(clock.isDisordered());
+    EXPECT_TRUE(clock.steps().empty());
+}
+
 TEST(EvenClock, extremeTimesDoNotOverflow)
 {
     EvenClock clock;

@@ -270,6 +270,38 @@ TEST_F(SeriesFiles, timesContinueWhereTheClockWasSet)
     EXPECT_EQ(remarks.size(), 1U);
 }
 
+TEST_F(SeriesFiles, rowsKeepTheirOrderWhereTheClockWasSet)
+{
+    std::string rows = fmt::format("t,{},v\n", kPoseColumns);
+    // Times after the step repeat earlier ones. A column of texts lacks the rows around it.
+    for (int i = 0; i < 40; ++i)
+        rows += fmt::format("{:.3f},{},0,0,0,0,{}\n", 1000.0 + 0.05 * i - (i < 20 ? 0.0 : 0.5),
+                            0.001 * i, i < 5 || i > 35 ? std::to_string(i) : "word");
+    const auto found = lines(rows, csvMapping("[roll]\nfield = \"v\"\n"));
+    ASSERT_EQ(found.size(), 40U) << "no time occurs twice";
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_NEAR(found[i].measurement.pitch, 0.001 * static_cast<double>(i), 1e-12) << i;
+        EXPECT_NEAR(static_cast<double>(found[i].time) * 1e-9,
+                    1000.0 + 0.05 * static_cast<double>(i), 1e-6)
+            << i;
+    }
+    EXPECT_EQ(found[39].measurement.roll, 39.0) << "a text hides the step from its column alone";
+    ASSERT_EQ(remarks.size(), 2U);
+    EXPECT_EQ(remarks[1], "the clock was set back by 0.450 s while this was recorded; times "
+                          "continue evenly from there");
+}
+
+TEST_F(SeriesFiles, rowsOutOfOrderAreSorted)
+{
+    std::string rows = fmt::format("t,{}\n", kPoseColumns);
+    for (int i = 40; i > 0; --i) rows += fmt::format("{},{},0,0,0,0\n", 0.05 * i, 0.001 * i);
+    const auto found = lines(rows, csvMapping());
+    ASSERT_EQ(found.size(), 40U);
+    EXPECT_NEAR(found[0].measurement.pitch, 0.001, 1e-12);
+    EXPECT_EQ(remarks, std::vector<std::string>{"the messages are not in the order of their times; "
+                                                "they were sorted"});
+}
+
 /// Returns a recording with the transforms map → odom → base_link, the latter moving ahead and to the left.
 McapBytes movingBase()
 {

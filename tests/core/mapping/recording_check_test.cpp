@@ -46,6 +46,19 @@ TEST_F(Checks, aGoodRecordingHasNone)
     EXPECT_TRUE(doubts([](int i) { return pose(0.001 * i, 0.01 * i); }, current()).empty());
 }
 
+TEST_F(Checks, aClockThatWasSetIsFound)
+{
+    std::string text = fmt::format("t,{}\n", kPoseColumns);
+    for (int i = 0; i < 40; ++i)
+        text += fmt::format("{},{}\n", 0.05 * i - (i < 20 ? 0.0 : 0.48),
+                            fmt::format("{0},{0},{0},{0},{0}", 0.001 * i));
+    const auto found =
+        checkRecording(directory.write("a.csv", text), parsedMapping(csvMapping()), shippedRobot());
+    ASSERT_TRUE(found) << found.error().text;
+    EXPECT_EQ(*found, std::vector<std::string>{"the clock was set back by 0.430 s while this was "
+                                               "recorded; times continue evenly from there"});
+}
+
 TEST_F(Checks, degreesTakenForRadiansAreFound)
 {
     const auto found = doubts([](int i) { return pose(0.1 * i); });
