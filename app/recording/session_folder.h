@@ -30,7 +30,7 @@ std::optional<std::uint64_t> freeBytes(const std::string& folder);
 std::vector<std::string> sessionsIn(const std::string& folder);
 
 /// Closes sessions whose program died (recoverSession). Returns one sentence per closed or unrecoverable session.
-/// Sessions that are being recorded are not touched.
+/// Sessions that are being recorded, and those with a damaged journal, are not touched.
 std::vector<Message> recoverDeadSessions(const std::vector<std::string>& paths);
 
 /// Retention limits set by the user; 0: no limit.

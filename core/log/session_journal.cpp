@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/log/rows/session_tables.h"
+#include "core/store/sqlite_journal.h"
 
 namespace terratact {
 namespace {
@@ -47,16 +48,23 @@ bool isOfAnother(const SessionEnds& alone, SqliteFile& session)
     return !same.step() || same.blob(0) != alone.chain;
 }
 
+/// Returns the name of its journal without the folder.
+std::string journalNameOf(const std::string& path)
+{
+    return printable(std::filesystem::path(SqliteFile::journalOf(path)).filename().string());
+}
+
 }  // namespace
 
 void requireOwnJournal(const std::string& path, SqliteFile& session)
 {
     const auto alone = endsWithoutJournal(path);
-    if (!alone || !isOfAnother(*alone, session) || !hasForeignJournal(path)) return;
-    const std::filesystem::path journal = SqliteFile::journalOf(path);
+    if (!alone || !isOfAnother(*alone, session)) return;
+    if (const auto damage = damageOfJournal(path)) throw SqliteError(*damage);
+    if (!hasForeignJournal(path)) return;
     throw SqliteError(
         Message(TR_NOOP("core", "its journal %1 was written for another session: move it away"),
-                printable(journal.filename().string())));
+                journalNameOf(path)));
 }
 
 bool hasForeignJournal(const std::string& path)
@@ -69,6 +77,19 @@ bool hasForeignJournal(const std::string& path)
     } catch (const Failure&) {
         return false;
     }
+}
+
+std::optional<Message> damageOfJournal(const std::string& path)
+{
+    const auto damage = journalDamage(SqliteFile::journalOf(path));
+    if (!damage) return std::nullopt;
+    if (damage->at == 0)
+        return Message(TR_NOOP("core", "its journal %1 is damaged from its beginning: what was "
+                                       "recorded after that was in there"),
+                       journalNameOf(path));
+    return Message(TR_NOOP("core", "its journal %1 is damaged from byte %2: %3 pages in it are "
+                                   "not read"),
+                   journalNameOf(path), damage->at, damage->frames);
 }
 
 }  // namespace terratact

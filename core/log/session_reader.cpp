@@ -1,6 +1,7 @@
 #include "core/log/session_reader.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -47,7 +48,8 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
         static_cast<void>(impl->readMore());
         if (impl->file.size() <= kMaxChecked) impl->checkStructure();
         if (lacksJournal) impl->missJournal();
-        if (SqliteFile::journalIsDamaged(path)) impl->loseJournal();
+        if (const auto damage = sealed ? std::nullopt : damageOfJournal(path))
+            impl->damage.push_back({impl->end, impl->end, *damage});
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
         return fileError(path, error.message(), error.code());

@@ -36,7 +36,8 @@ struct SessionVerification {
 /// pass are together at most as large as the file, even if rows share pages.
 ///
 /// A session that was not closed is read with its journal, even if its folder is write-protected.
-/// If the journal is missing, only the file is read, and damage() names what is missing.
+/// If the journal is missing, only the file is read, and damage() names what is missing. A damaged
+/// journal is read up to its damage, which damage() names.
 ///
 /// refresh() reads new rows of a file that is still being written. One thread at a time may use a
 /// reader.

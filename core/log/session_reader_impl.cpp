@@ -36,14 +36,6 @@ void SessionReader::Impl::missJournal()
                               nameWithoutFolder(SqliteFile::journalOf(path)))});
 }
 
-void SessionReader::Impl::loseJournal()
-{
-    damage.push_back({end, end,
-                      Message(TR_NOOP("core", "its journal %1 is damaged from its beginning: what "
-                                              "was recorded after that was in there"),
-                              nameWithoutFolder(SqliteFile::journalOf(path)))});
-}
-
 void SessionReader::Impl::addDamage(const SessionBatch& batch, const Message& why)
 {
     if (damage.size() >= kMaxDamage) {

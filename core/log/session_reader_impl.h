@@ -57,7 +57,6 @@ struct SessionReader::Impl {
     void countStrayFrames();
     void checkStructure();
     void missJournal();
-    void loseJournal();
 
     std::string path;
     SqliteFile file;

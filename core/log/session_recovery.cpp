@@ -33,8 +33,7 @@ Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
         if (!evenAlone && SqliteFile::lacksJournal(path))
             return fileError(
                 path, TR_NOOP("core", "its journal is not beside it: both files belong together"));
-        if (!evenAlone && SqliteFile::journalIsDamaged(path))
-            return fileError(path, TR_NOOP("core", "its journal is damaged and cannot be read"));
+        if (const auto damage = damageOfJournal(path)) return fileError(path, *damage);
         SqliteFile::requireReadableJournal(path);
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/atem/alarms.h"
@@ -102,7 +103,7 @@ SessionSummary SessionSummarizer::read(SessionClosing closing, const std::string
     file_.grantPasses(kSummaryPasses);
     file_.run("BEGIN");  // one state of a file that is still being written
     requireSessionSchema(file_, lonely);
-    if (closing == SessionClosing::Open) requireOwnJournal(path, file_);
+    if (file_.readsJournal()) requireOwnJournal(path, file_);
     const SessionStart start = readSessionStart(file_).start;
     summary_.closing = closing;
     summary_.wallTime = start.wallTime;
@@ -284,14 +285,17 @@ Result<SessionSummary> summarizeSession(const std::string& path, const std::stop
     try {
         SqliteFile file = SqliteFile::openLogWithoutTrace(path, kMaxSummaryValue);
         SessionClosing closing = SessionClosing::Open;
-        std::string lonely;
-        if (!file.readsJournal()) {
+        if (!file.readsJournal())
             closing = SqliteFile::isJournaled(path) ? SessionClosing::Torn : SessionClosing::Sealed;
-            if (closing == SessionClosing::Torn) lonely = path.substr(path.find_last_of('/') + 1);
-        } else if (SqliteFile::hasDamagedJournal(path)) {
-            closing = SessionClosing::Torn;
-        }
-        return SessionSummarizer(file, stop).read(closing, path, lonely);
+        const auto damage =
+            closing == SessionClosing::Sealed ? std::nullopt : damageOfJournal(path);
+        std::string lonely;
+        if (closing == SessionClosing::Torn && !damage)
+            lonely = path.substr(path.find_last_of('/') + 1);
+        if (damage) closing = SessionClosing::Torn;
+        SessionSummary summary = SessionSummarizer(file, stop).read(closing, path, lonely);
+        if (damage) summary.damage = damage;
+        return summary;
     } catch (const Failure& failure) {
         return fileError(path, failure.message());
     }

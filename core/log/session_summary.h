@@ -62,7 +62,7 @@ struct SessionSummary {
     std::vector<std::string> notes{};  ///< their notes, at most kMaxNotes, cut after kMaxNoteBytes
     SessionVerdicts verdicts{};
     std::optional<LastEstimate> last{};
-    std::optional<Message> damage{};  ///< first row that holds what no session can hold
+    std::optional<Message> damage{};  ///< of its journal, or the first row that no session can hold
     bool operator==(const SessionSummary&) const = default;
 };
 

@@ -78,8 +78,8 @@ inline constexpr int kNotFollowed = ELOOP;
 
 /// Closes a session whose writer died: replays its journal, adds an event at its end and seals it.
 /// evenAlone: also recovers a session whose journal is missing; the journal must then not come
-/// back. Errors name the file, which stays as it was. It is no session, is damaged, or is a
-/// symbolic link (kNotFollowed). Its journal is missing, or it cannot be written.
+/// back. Errors name the file, which stays as it was, with its journal. It is no session, is damaged,
+/// or is a symbolic link (kNotFollowed). Its journal is missing or damaged, or it cannot be written.
 Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone = false);
 
 }  // namespace terratact

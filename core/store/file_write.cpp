@@ -79,11 +79,6 @@ int flushToDisk(const std::string& path, int flags)
     return 0;
 }
 
-bool isSessionName(const std::string& path)
-{
-    return lowerCase(std::filesystem::path(path).filename().string()).ends_with(".tts");
-}
-
 /// Returns true for the name of a file that SQLite keeps beside a session.
 bool isJournalName(const std::string& path)
 {
@@ -175,6 +170,11 @@ Status checkLinks(const std::string& path)
                                                "written through a link: name the file itself"),
                                target),
                        ELOOP);
+}
+
+bool isSessionName(const std::string& path)
+{
+    return lowerCase(std::filesystem::path(path).filename().string()).ends_with(".tts");
 }
 
 Status checkReplaceable(const std::string& path)

@@ -20,6 +20,9 @@ enum class Access {
 /// and the numbers in /dev/fd and /proc/self/fd. Errors name the link.
 Status checkLinks(const std::string& path);
 
+/// Returns true for the name of a session, *.tts in letters of either case.
+bool isSessionName(const std::string& path);
+
 /// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:
 ///   - checkLinks() refuses it.
 ///   - It is a directory, a device or a pipe.

@@ -15,8 +15,8 @@
 
 #include "core/base/system_message.h"
 #include "core/base/text.h"
-#include "core/store/content_kind.h"
 #include "core/store/sqlite_error.h"
+#include "core/store/sqlite_journal.h"
 
 namespace terratact {
 namespace {
@@ -156,7 +156,7 @@ bool SqliteFile::lacksJournal(const std::string& path)
     return isEmpty && isJournaled(path);
 }
 
-/// Returns false if SQLite may not create or write files beside this one. Throws for any other
+/// Returns false if SQLite may not open or write the index beside the file. Throws for any other
 /// failure.
 bool SqliteFile::isReadable()
 {
@@ -168,21 +168,6 @@ bool SqliteFile::isReadable()
         if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY && code != SQLITE_IOERR) throw;
         return false;
     }
-}
-
-bool SqliteFile::journalIsDamaged(const std::string& path)
-{
-    return isJournaled(path) && hasDamagedJournal(path);
-}
-
-bool SqliteFile::hasDamagedJournal(const std::string& path)
-{
-    const std::string journal = journalOf(path);
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(journal, none)) return false;
-    const std::uintmax_t size = std::filesystem::file_size(journal, none);
-    if (none || size == 0 || ::access(journal.c_str(), R_OK) != 0) return false;
-    return contentKindOfFile(journal) != ContentKind::Journal;
 }
 
 // SQLite would report that it cannot open the file.
@@ -230,33 +215,48 @@ SqliteFile SqliteFile::readLogAlone(const std::string& path, int longest)
     return alone;
 }
 
-namespace {
-
-/// Returns true if an index that SQLite makes beside the file is one that its owner can write:
-/// SQLite gives it the mode of the file, and root gives it the owner of the file.
-bool makesUsableIndex(const std::string& path)
+/// Opens a file in WAL mode that has a journal. SQLite makes no index beside it.
+SqliteFile SqliteFile::readJournaled(const std::string& path, int longest, std::string_view options)
 {
-    struct stat file {};
-    if (::stat(path.c_str(), &file) != 0) return false;
-    const uid_t user = ::geteuid();
-    return (user == 0 || user == file.st_uid) && (file.st_mode & S_IWUSR) != 0;
+    requireReadableJournal(path);
+    if (JournalFrames(journalOf(path)).hasDamagedHeader())
+        return openLogWithoutJournal(path, longest);
+    std::error_code none;
+    // Without an index no connection writes: neither of this process nor of another.
+    if (std::filesystem::exists(besideFile(path, "-shm"), none)) {
+        SqliteFile file = readLog(path, longest, options);
+        if (file.isReadable()) return file;
+    }
+    return readLogAlone(path, longest);
 }
 
-}  // namespace
+/// Takes the lock that SQLite takes for a reader. It belongs to its descriptor, so closing another
+/// descriptor of this process does not release it.
+SqliteFile::Lock SqliteFile::readerLock(const std::string& path)
+{
+    constexpr off_t kSharedFirst = 0x40000002, kSharedBytes = 510;
+    Lock lock(std::fopen(path.c_str(), "rbe"));
+    if (!lock) return lock;
+    struct flock shared = {};
+    shared.l_type = F_RDLCK;
+    shared.l_whence = SEEK_SET;
+    shared.l_start = kSharedFirst;
+    shared.l_len = kSharedBytes;
+    (void)::fcntl(::fileno(lock.get()), F_OFD_SETLK, &shared);  // not every file system has locks
+    return lock;
+}
 
 SqliteFile SqliteFile::openLog(const std::string& path, int longest)
 {
     const bool journaled = isJournaled(path);
     if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
-    if (!journaled || lacksJournal(path)) return readLog(path, longest, "mode=ro&immutable=1");
-    requireReadableJournal(path);
+    if (!journaled || lacksJournal(path)) return openLogWithoutJournal(path, longest);
     std::error_code none;
-    const bool hasIndex = std::filesystem::exists(besideFile(path, "-shm"), none);
-    if (hasIndex || makesUsableIndex(path)) {
-        SqliteFile file = readLog(path, longest, "mode=ro");
-        if (file.isReadable()) return file;
-    }
-    return readLogAlone(path, longest);
+    Lock lock;  // with an index, SQLite takes it
+    if (!std::filesystem::exists(besideFile(path, "-shm"), none)) lock = readerLock(path);
+    SqliteFile file = readJournaled(path, longest, "mode=ro");
+    file.lock_ = std::move(lock);
+    return file;
 }
 
 SqliteFile SqliteFile::openLogWithoutJournal(const std::string& path, int longest)
@@ -271,13 +271,7 @@ SqliteFile SqliteFile::openLogWithoutTrace(const std::string& path, int longest)
     std::error_code none;
     if (!std::filesystem::exists(journal, none) || lacksJournal(path))
         return openLog(path, longest);
-    requireReadableJournal(path);
-    // Without an index no connection writes: neither of this process nor of another.
-    if (!std::filesystem::exists(besideFile(path, "-shm"), none))
-        return readLogAlone(path, longest);
-    SqliteFile file = readLog(path, longest, "mode=ro&readonly_shm=1");
-    static_cast<void>(file.integer("PRAGMA schema_version"));
-    return file;
+    return readJournaled(path, longest, "mode=ro&readonly_shm=1");
 }
 
 bool SqliteFile::readsJournal()

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,15 +25,17 @@ public:
 
     /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
     /// the structure on request. A file in WAL mode is still being written, or its writer died. It
-    /// is read with the journal beside it, if there is one, even from a write-protected folder. No
-    /// index is written beside a file of another user, because its owner could not write to it.
-    /// Texts and blobs have at most `longest` bytes. grantPasses() bounds all values and steps
-    /// together: one pass, until it is called.
+    /// is read with the journal beside it, if there is one, even from a write-protected folder, and
+    /// up to the first damaged frame of the journal (core/store/sqlite_journal.h). No file is left
+    /// beside it. As long as it is open, leaveJournal() of others does nothing. It is not locked where
+    /// its index cannot be read, or is beside a journal with a damaged header. Texts and blobs have at
+    /// most `longest` bytes, and grantPasses() bounds all values and steps together: one pass, until
+    /// it is called.
     static SqliteFile openLog(const std::string& path, int longest);
 
-    /// Opens a log as openLog(), but leaves no file beside it. It disturbs no writer, not even one
-    /// of this process. A file with a journal beside it is opened by SQLite alone: closing any
-    /// other descriptor would release this process's locks on it.
+    /// Opens a log as openLog(), but disturbs no writer, not even one of this process. A file with
+    /// a journal beside it is opened by SQLite alone: closing any other descriptor would release
+    /// this process's locks on it.
     static SqliteFile openLogWithoutTrace(const std::string& path, int longest);
 
     /// Opens a log as openLog(), but ignores its journal.
@@ -53,12 +56,6 @@ public:
 
     /// Throws if the journal beside a file cannot be read: it is a link, no file, or not permitted.
     static void requireReadableJournal(const std::string& path);
-
-    /// Returns true if the journal of a file in WAL mode is invalid and cannot be read.
-    static bool journalIsDamaged(const std::string& path);
-
-    /// Returns the same for a file in WAL mode, which is not opened itself.
-    static bool hasDamagedJournal(const std::string& path);
 
     /// Creates a file that one connection writes while others read. It must not exist. It has a
     /// write-ahead journal (WAL) that every commit flushes to the disk. Only its owner can read it
@@ -113,10 +110,14 @@ private:
     static void requireNothingBeside(const std::string& path);
     struct Close {
         void operator()(sqlite3* file) const;
+        void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    using Lock = std::unique_ptr<std::FILE, Close>;
     SqliteFile(const std::string& name, int flags);
     static SqliteFile readLog(const std::string& path, int longest, std::string_view options);
     static SqliteFile readLogAlone(const std::string& path, int longest);
+    static SqliteFile readJournaled(const std::string& path, int longest, std::string_view options);
+    static Lock readerLock(const std::string& path);
     void harden();
     void checkStructure();
     void journal();
@@ -126,6 +127,7 @@ private:
     std::int64_t size_ = 0;                    ///< size of a log that is read [bytes]
     std::unique_ptr<std::int64_t> callsLeft_;  ///< remaining calls of the progress handler
     std::unique_ptr<std::int64_t> bytesLeft_;  ///< bytes that rows may still return; null: no limit
+    Lock lock_;                                ///< of a log that is read without SQLite's locks
     std::unique_ptr<sqlite3, Close> file_;
 };
 

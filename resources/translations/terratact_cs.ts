@@ -2856,26 +2856,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>robot nehlásí ujetou dráhu</translation>
     </message>
     <message>
-        <source>the robot has driven too far since the last estimate</source>
-        <translation>robot ujel od posledního odhadu příliš daleko</translation>
-    </message>
-    <message>
-        <source>the last estimate has become too uncertain</source>
-        <translation>poslední odhad je už příliš nejistý</translation>
-    </message>
-    <message>
-        <source>the robot has tilted too much since the last estimate</source>
-        <translation>robot se od posledního odhadu příliš naklonil</translation>
-    </message>
-    <message>
-        <source>the robot has turned since the last estimate</source>
-        <translation>robot se od posledního odhadu otočil</translation>
-    </message>
-    <message>
-        <source>nothing of the last estimate is left in view</source>
-        <translation>z posledního odhadu už není nic v dohledu</translation>
-    </message>
-    <message>
         <source>halted</source>
         <translation>stojí</translation>
     </message>
@@ -4620,10 +4600,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je otevřen v jiném programu, jeho žurnál proto zůstává vedle něj</translation>
     </message>
     <message>
-        <source>its journal is damaged and cannot be read</source>
-        <translation>jeho žurnál je poškozený a nelze ho přečíst</translation>
-    </message>
-    <message>
         <source>%1: %2 holds a polygon that is not convex</source>
         <translation>%1: %2 obsahuje mnohoúhelník, který není konvexní</translation>
     </message>
@@ -6150,6 +6126,42 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the message %1 describes up to %2 signals in a frame of %3 bytes: only the first %4 of a frame are read</source>
         <translation>zpráva %1 popisuje až %2 signálů v rámci o %3 bajtech: čte se jen prvních %4 z rámce</translation>
+    </message>
+    <message>
+        <source>its journal %1 is damaged from byte %2: %3 pages in it are not read</source>
+        <translation>její žurnál %1 je poškozen od bajtu %2: počet stránek, které se z něj nečtou: %3</translation>
+    </message>
+    <message>
+        <source>has zero bytes, which are read as blanks</source>
+        <translation>obsahuje nulové bajty, které se čtou jako mezery</translation>
+    </message>
+    <message>
+        <source>the word %1 is left out: expected its raw value in at most 64 bits, with all its digits</source>
+        <translation>slovo %1 je vynecháno: očekává se jeho surová hodnota nejvýše v 64 bitech a se všemi číslicemi</translation>
+    </message>
+    <message>
+        <source>the long name %1 of the signal %2 is left out: %3 has another signal of that name</source>
+        <translation>dlouhý název %1 signálu %2 je vynechán: %3 má jiný signál téhož názvu</translation>
+    </message>
+    <message>
+        <source>%1 has lost its digits in a spreadsheet: export the log again, and keep this column as text</source>
+        <translation>%1 ztratil v tabulkovém procesoru číslice: exportujte záznam znovu a tento sloupec ponechte jako text</translation>
+    </message>
+    <message>
+        <source>a workbook of an office program</source>
+        <translation>sešit kancelářského programu</translation>
+    </message>
+    <message>
+        <source>a PDF file</source>
+        <translation>soubor PDF</translation>
+    </message>
+    <message>
+        <source>is a log of slcan, which is not read: record the bus with candump -l</source>
+        <translation>je záznam slcan, který se nečte: zaznamenejte sběrnici pomocí candump -l</translation>
+    </message>
+    <message>
+        <source>no text in UTF-8</source>
+        <translation>soubor, který není textem v UTF-8</translation>
     </message>
 </context>
 <context>

@@ -2856,26 +2856,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Roboter meldet keinen zurückgelegten Weg</translation>
     </message>
     <message>
-        <source>the robot has driven too far since the last estimate</source>
-        <translation>der Roboter ist seit der letzten Schätzung zu weit gefahren</translation>
-    </message>
-    <message>
-        <source>the last estimate has become too uncertain</source>
-        <translation>die letzte Schätzung ist zu unsicher geworden</translation>
-    </message>
-    <message>
-        <source>the robot has tilted too much since the last estimate</source>
-        <translation>der Roboter hat sich seit der letzten Schätzung zu stark geneigt</translation>
-    </message>
-    <message>
-        <source>the robot has turned since the last estimate</source>
-        <translation>der Roboter hat sich seit der letzten Schätzung gedreht</translation>
-    </message>
-    <message>
-        <source>nothing of the last estimate is left in view</source>
-        <translation>von der letzten Schätzung ist nichts mehr im Bild</translation>
-    </message>
-    <message>
         <source>halted</source>
         <translation>steht</translation>
     </message>
@@ -4620,10 +4600,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist in einem anderen Programm geöffnet, daher bleibt ihr Journal daneben</translation>
     </message>
     <message>
-        <source>its journal is damaged and cannot be read</source>
-        <translation>ihr Journal ist beschädigt und nicht lesbar</translation>
-    </message>
-    <message>
         <source>%1: %2 holds a polygon that is not convex</source>
         <translation>%1: %2 enthält ein Vieleck, das nicht konvex ist</translation>
     </message>
@@ -6150,6 +6126,42 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the message %1 describes up to %2 signals in a frame of %3 bytes: only the first %4 of a frame are read</source>
         <translation>die Nachricht %1 beschreibt bis zu %2 Signale in einem Frame von %3 Bytes: nur die ersten %4 eines Frames werden gelesen</translation>
+    </message>
+    <message>
+        <source>its journal %1 is damaged from byte %2: %3 pages in it are not read</source>
+        <translation>ihr Journal %1 ist ab Byte %2 beschädigt: %3 Seiten darin werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>has zero bytes, which are read as blanks</source>
+        <translation>enthält Nullbytes, die als Leerzeichen gelesen werden</translation>
+    </message>
+    <message>
+        <source>the word %1 is left out: expected its raw value in at most 64 bits, with all its digits</source>
+        <translation>das Wort %1 ist ausgelassen: erwartet wird sein Rohwert in höchstens 64 Bit, mit allen Ziffern</translation>
+    </message>
+    <message>
+        <source>the long name %1 of the signal %2 is left out: %3 has another signal of that name</source>
+        <translation>der lange Name %1 des Signals %2 ist ausgelassen: %3 hat ein anderes Signal dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1 has lost its digits in a spreadsheet: export the log again, and keep this column as text</source>
+        <translation>%1 hat in einer Tabellenkalkulation Ziffern verloren: das Protokoll erneut exportieren und diese Spalte als Text belassen</translation>
+    </message>
+    <message>
+        <source>a workbook of an office program</source>
+        <translation>eine Arbeitsmappe eines Büroprogramms</translation>
+    </message>
+    <message>
+        <source>a PDF file</source>
+        <translation>eine PDF-Datei</translation>
+    </message>
+    <message>
+        <source>is a log of slcan, which is not read: record the bus with candump -l</source>
+        <translation>ist ein Protokoll von slcan, das nicht gelesen wird: den Bus mit candump -l aufzeichnen</translation>
+    </message>
+    <message>
+        <source>no text in UTF-8</source>
+        <translation>kein Text in UTF-8</translation>
     </message>
 </context>
 <context>

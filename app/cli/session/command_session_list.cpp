@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
 
 #include "app/cli/session/session_commands.h"
 #include "app/recording/session_folder.h"
@@ -24,11 +25,11 @@ void printListed(const ListedSession& listed)
     }
     const SessionSummary& s = *listed.summary;
     printText(
-        "{:<27}  {:>9.1f}  {:<6}  {:>8.1f}  {:>5}  {:>7}  {:>11}  {:>6}  {:>6}  {:>5}  {}  {}\n",
+        "{:<27}  {:>9.1f}  {:<6}  {:>8.1f}  {:>5}  {:>7}  {:>11}  {:>6}  {:>6}  {:>5}  {}  {}{}\n",
         localText(listed.wallTime()), listed.seconds(), name(s.closing),
         1e-6 * static_cast<double>(listed.bytes), s.verdicts.clear, s.verdicts.blocked,
         s.verdicts.cannotTell, s.probes, s.alarms, listed.notes(), s.robot.empty() ? "?" : s.robot,
-        nameOfFile(listed.path));
+        nameOfFile(listed.path), s.damage ? ": " + s.damage->english() : std::string());
 }
 
 }  // namespace

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/store/sqlite_journal.h"
+
 namespace terratact {
 namespace {
 
-constexpr std::size_t kFileHeader = 100, kJournalHeader = 32, kFrameHeader = 24;  // bytes
+constexpr std::size_t kFileHeader = 100;  // bytes
 constexpr std::size_t kMaxColumns = 100;
 
 std::uint64_t bigEndianAt(std::string_view bytes, std::size_t at, std::size_t count)
@@ -87,7 +89,7 @@ PageRows::PageRows(const std::string& path, std::uint32_t pageSize, const std::s
       journalBytes_(bytesOf(journal))
 {
     readHeader(pageSize);
-    readJournal();
+    readJournal(journal);
     bytesLeft_ = 2 * bytes();
 }
 
@@ -106,18 +108,13 @@ void PageRows::readHeader(std::uint32_t otherwise)
     usable_ = possible ? static_cast<std::uint32_t>(size - reserved) : otherwise;
 }
 
-/// Finds the newest state of every page since the journal was reset: the frames with the salt of
-/// its header.
-void PageRows::readJournal()
+/// Finds the newest state of every page since the journal was reset, also behind a damaged frame.
+void PageRows::readJournal(const std::string& path)
 {
-    const std::string header(readAt(journal_, 0, kJournalHeader, buffer_));
-    if (header.size() < kJournalHeader || bigEndianAt(header, 8, 4) != pageSize_) return;
-    const std::uint64_t frame = kFrameHeader + pageSize_;
-    for (std::uint64_t at = kJournalHeader; at + frame <= journalBytes_; at += frame) {
-        const std::string_view head = readAt(journal_, at, kFrameHeader, buffer_);
-        if (head.size() < kFrameHeader || head.substr(8, 8) != header.substr(16, 8)) break;
-        inJournal_[static_cast<std::uint32_t>(bigEndianAt(head, 0, 4))] = at + kFrameHeader;
-    }
+    JournalFrames frame(path);
+    if (frame.pageSize() != pageSize_) return;
+    while (frame.next())
+        if (frame.isCurrent()) inJournal_[frame.page()] = frame.pageAt();
 }
 
 /// Returns the page in its newest state; shorter than a page if it is missing.

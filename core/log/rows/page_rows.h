@@ -51,7 +51,7 @@ public:
 private:
     enum class Kind : std::uint8_t { TableInner = 5, IndexLeaf = 10, TableLeaf = 13 };
     void readHeader(std::uint32_t otherwise);
-    void readJournal();
+    void readJournal(const std::string& path);
     std::string_view page(std::uint32_t number);
     void visitPage(std::uint32_t number, std::string_view bytes,
                    const std::function<void(const StoredRow&)>& visit);

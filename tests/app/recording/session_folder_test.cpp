@@ -146,6 +146,21 @@ TEST_F(SessionFolder, symbolicLinksInItsFolderAreNotFollowed)
     EXPECT_TRUE(std::filesystem::exists(folder + "/closed.tts"));
 }
 
+TEST_F(SessionFolder, aDamagedJournalIsNamedAndKept)
+{
+    const std::string live = directory.file("live.tts"), dead = directory.file("dead.tts");
+    const auto writer = someSession(live, 300);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::filesystem::copy_file(live, dead);
+    const std::string garbage(50'000, 'x');
+    directory.write("dead.tts-wal", garbage);
+    const auto told = recoverDeadSessions({dead});
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told[0].english().find("its journal dead.tts-wal is damaged"), std::string::npos)
+        << told[0].english();
+    EXPECT_EQ(contentOf(dead + "-wal"), garbage);
+}
+
 TEST_F(SessionFolder, isNeverRelative)
 {
     const char* const home = std::getenv("HOME");

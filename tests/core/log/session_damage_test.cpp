@@ -14,6 +14,7 @@
 #include "core/log/session_salvage.h"
 #include "core/log/session_summary.h"
 #include "core/log/session_writer.h"
+#include "tests/core/log/session_fixture.h"
 #include "tests/support/sessions/sessions.h"
 #include "tests/support/temporary_directory.h"
 
@@ -23,20 +24,7 @@ namespace {
 constexpr std::size_t kPage = 8192;
 
 struct DamagedSession : testing::Test {
-    /// Leaves the session as a crashed program does: with its journal, but without the journal's
-    /// index.
-    void crash(std::int64_t frames)
-    {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            const auto writer = someSession(path, frames);
-            ::_exit(writer ? 0 : 1);
-        }
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        ASSERT_EQ(status, 0);
-        std::filesystem::remove(path + "-shm");
-    }
+    void crash(std::int64_t frames) const { crashed(path, frames); }
     void seal(std::int64_t frames)
     {
         auto writer = someSession(path, frames);

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,6 +26,20 @@ inline void seal(const std::string& path, std::int64_t frames)
     ASSERT_TRUE(writer) << writer.error().text;
     const Status sealed = writer->seal();
     ASSERT_TRUE(sealed) << sealed.error().text;
+}
+
+/// Leaves a session as a crashed program does: with its journal, but without the journal's index.
+inline void crashed(const std::string& path, std::int64_t frames)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto writer = someSession(path, frames);
+        ::_exit(writer ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_EQ(status, 0);
+    std::filesystem::remove(path + "-shm");
 }
 
 inline std::vector<FrameRow> allFrames(SessionReader& reader)
