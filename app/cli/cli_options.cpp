@@ -87,9 +87,10 @@ CommandFiles CommandLine::files() const
         if (!d.command->parsed()) continue;
         const Paths paths = d.paths();
         append(d.role == FileRole::Input    ? files.inputs
-               : d.role == FileRole::Output ? files.outputs
-                                            : files.updates,
+               : d.role == FileRole::Update ? files.updates
+                                            : files.outputs,
                paths);
+        if (d.role == FileRole::Session) append(files.sessions, paths);
         if (d.role != FileRole::Input) continue;
         for (const std::string& path : paths) append(files.companions, companionsOf(path));
     }
@@ -143,6 +144,13 @@ CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& 
                            const std::string& text)
 {
     return addTextOutput(app, name, path, text)->check(CLI::Validator(refuseStream, ""));
+}
+
+CLI::Option* addSessionOutput(CLI::App& app, const std::string& name, std::string& path,
+                              const std::string& text)
+{
+    declareFiles(app, FileRole::Session, [&path] { return given(path); });
+    return addPath(app, name, path, text)->check(CLI::Validator(refuseStream, ""));
 }
 
 CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string& path,

@@ -16,7 +16,7 @@ namespace terratact {
 // Option declarations that several subcommands share.
 
 /// Role of a file in a command, see CommandFiles.
-enum class FileRole { Input, Output, Update };
+enum class FileRole { Input, Output, Session, Update };
 
 /// The whole command line, with the files that each command reads and writes.
 class CommandLine : public CLI::App {
@@ -62,6 +62,10 @@ CLI::Option* addTextOutput(CLI::App& app, const std::string& name, std::string& 
 /// Adds an option for an output file that is written under a temporary name, so "-" and pipes are refused.
 CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& path,
                            const std::string& text);
+
+/// Adds an option for a session that is written, as addFileOutput().
+CLI::Option* addSessionOutput(CLI::App& app, const std::string& name, std::string& path,
+                              const std::string& text);
 
 /// Adds an option for an output directory. `names` lists the files written there.
 CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string& path,

@@ -42,9 +42,9 @@ void addSessionRecover(CLI::App& session, Job& job)
                                                 "ones, save what is whole");
     const auto o = std::make_shared<RecoverOptions>();
     addSessionFiles(*c, o->files);
-    addFileOutput(*c, "--out", o->out,
-                  "Session to write where the file is damaged or cannot be written; without it "
-                  "NAME-recovered.tts beside it");
+    addSessionOutput(*c, "--out", o->out,
+                     "Session to write where the file is damaged or cannot be written; without it "
+                     "NAME-recovered.tts beside it");
     c->callback([o, &job] { job = [o] { return recoverSessions(*o); }; });
 }
 
@@ -71,6 +71,18 @@ void addMoment(CLI::App& app, const std::string& name, double& seconds)
         ->check(CLI::Validator(refuseNan, ""));
 }
 
+/// Refuses DBC files where the rows hold no signals. exportSession() refuses them for a log of frames.
+void refuseUnusedDbc(const SessionExportOptions& o)
+{
+    const auto format = o.format ? o.format : exportFormatOf(o.out);
+    const auto what = o.selection.what;
+    const bool isUnused = (format == ExportFormat::Csv && what != ExportKind::Signals)
+                       || (format == ExportFormat::Mcap
+                           && (what == ExportKind::Estimates || what == ExportKind::Events));
+    if (isUnused && !o.dbc.empty())
+        throw CLI::ValidationError("--dbc", "these rows hold no signals: choose --what signals");
+}
+
 void addSessionExport(CLI::App& session, Job& job)
 {
     auto* c = session.add_subcommand("export", "Write frames, signals, estimates or events for "
@@ -90,6 +102,7 @@ void addSessionExport(CLI::App& session, Job& job)
              "(CSV) or everything (MCAP); may be repeated")
         ->allow_extra_args(false);
     c->callback([o, &job] {
+        refuseUnusedDbc(*o);
         if (o->selection.from > o->selection.to)
             throw CLI::ValidationError("--from", "must not be later than --to");
         job = [o] { return exportSession(*o); };
@@ -158,7 +171,7 @@ void addSessionMerge(CLI::App& session, Job& job)
     auto* c = session.add_subcommand("merge", "Put sessions of one drive together");
     const auto o = std::make_shared<SessionMergeOptions>();
     addSessionFiles(*c, o->files);
-    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
+    addSessionOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
     c->callback([o, &job] { job = [o] { return mergeSessions(*o); }; });
 }
 
@@ -199,7 +212,7 @@ void addSessionImport(CLI::App& session, Job& job)
     auto* c = session.add_subcommand("import", "Make a session of a log of CAN frames");
     const auto o = std::make_shared<SessionImportOptions>();
     addLog(*c, "log", o->log, kLogHelp)->required();
-    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
+    addSessionOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
     c->add_option("--interface", o->interface, "Of a log that holds several");
     addRobot(*c, o->robot);
     c->callback([o, &job] {
@@ -219,7 +232,7 @@ void addImport(CLI::App& app, Job& job)
     addInput(*c, "--mapping", o->mapping,
              "Mapping file (TOML): which field is which sensor; --probe proposes one");
     addRobot(*c, o->robot);
-    auto* out = addFileOutput(*c, "--out", o->out, "Session to write (*.tts)");
+    auto* out = addSessionOutput(*c, "--out", o->out, "Session to write (*.tts)");
     addTextOutput(*c, "--scenes", o->scenes,
                   "Scenes CSV to write: where the robot stood still with flippers pressed")
         ->needs(out);

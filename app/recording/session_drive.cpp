@@ -58,10 +58,12 @@ void addWay(SessionReader& session, const RobotModel& robot, SessionDrive& into)
         }
 }
 
-void addScenes(const SessionReader& session, SessionDrive& into)
+void addScenes(const SessionReader& session, const std::set<std::int64_t>& repeated,
+               SessionDrive& into)
 {
     DriveLines& drive = into.drive;
     for (const SceneRow& row : session.scenes()) {
+        if (repeated.contains(row.id)) continue;
         DriveLine line = lineOf(row.measurement, secondsOf(row.time), drive.onePlane);
         line.isScene = true;
         line.line.activity = RobotActivity::Pressed;
@@ -82,7 +84,8 @@ void addScenes(const SessionReader& session, SessionDrive& into)
 
 }  // namespace
 
-Result<SessionDrive> sessionDrive(SessionReader& session, const RobotModel& robot, bool onePlane)
+Result<SessionDrive> sessionDrive(SessionReader& session, const RobotModel& robot, bool onePlane,
+                                  const std::set<std::int64_t>& repeated)
 {
     SessionDrive found;
     found.drive.run = driveName(session.path());
@@ -93,7 +96,7 @@ Result<SessionDrive> sessionDrive(SessionReader& session, const RobotModel& robo
                          "its telemetry holds no way, which the memory of the method trail needs: "
                          "import it with [odometry] in the mapping, or with [travelled] and "
                          "[turned]");
-    addScenes(session, found);
+    addScenes(session, repeated, found);
     if (found.scenes == 0)
         return fileError(session.path(), "holds no scene: the robot must stand with its flippers "
                                          "pressed, as docs/import.md says");

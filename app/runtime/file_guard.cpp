@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -121,6 +122,8 @@ Status checkCommandFiles(const CommandFiles& files)
         if (Status s = checkApart(output, files.inputs); !s) return s;
         if (Status s = checkApart(output, files.companions); !s) return s;
         if (Status s = written.add(path); !s) return s;
+        if (isSessionName(path) && std::ranges::count(files.sessions, path) == 0)
+            return fileError(path, "ends in .tts, as sessions do, and is none: name another file");
     }
     for (const std::string& path : files.updates) {
         if (Status s = checkApart(outputIdentity(path), files.inputs); !s) return s;

@@ -20,7 +20,7 @@ std::string_view name(SectionStart start)
 SourceText describe(SectionStart start)
 {
     switch (start) {
-    case SectionStart::First: return TR_NOOP("core", "nothing has been felt yet");
+    case SectionStart::First: return TR_NOOP("core", "the first felt ground");
     case SectionStart::Turned: return TR_NOOP("core", "the robot has turned");
     case SectionStart::TelemetryGap:
         return TR_NOOP("core",

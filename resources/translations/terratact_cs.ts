@@ -5524,8 +5524,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>sklon nebo náklon je blízko meze</translation>
     </message>
     <message>
-        <source>nothing has been felt yet</source>
-        <translation>zatím nic nebylo ohmatáno</translation>
+        <source>the first felt ground</source>
+        <translation>první ohmataný terén</translation>
     </message>
     <message>
         <source>the robot has turned</source>

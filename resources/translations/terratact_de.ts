@@ -5524,8 +5524,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Neigung oder Rollwinkel ist nahe der Grenze</translation>
     </message>
     <message>
-        <source>nothing has been felt yet</source>
-        <translation>noch wurde nichts ertastet</translation>
+        <source>the first felt ground</source>
+        <translation>der erste ertastete Boden</translation>
     </message>
     <message>
         <source>the robot has turned</source>

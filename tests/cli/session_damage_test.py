@@ -87,9 +87,11 @@ class Recover(Damaged):
         self.assertNotIn("recover", complaint("session", "info", newer))
 
     def test_too_few_open_files_are_not_called_damage(self):
-        make("open", self.path / "open.tts")
-        for session in (self.drive, self.path / "open.tts"):
-            said = [subprocess.run(["bash", "-c", f'ulimit -n {most}; exec "$@"', "-", CLI, "session", "info", session],
+        live = self.path / "open.tts"
+        make("open", live)
+        merge = ["merge", live, self.drive, "--out", self.path / "merged.tts"]  # a sealed session needs one file alone
+        for session, command in ((live, ["info", live]), (self.drive, merge)):
+            said = [subprocess.run(["bash", "-c", f'ulimit -n {most}; exec "$@"', "-", CLI, "session", *command],
                                    capture_output=True, text=True, timeout=300).stderr for most in range(4, 12)]
             self.assertTrue(any("Too many open files" in one and pathlib.Path(session).name in one for one in said), said)
             self.assertNotIn("session recover", "".join(said))

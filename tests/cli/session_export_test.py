@@ -281,6 +281,12 @@ class Tables(Session):
         self.assertIn(b'{"CarbonMonoxide":23.5,"Oxygen":20.7,"Temperature":-3.5,"State":1}', bag.read_bytes())
         self.assertIn(b"/payload/GasSensor", bag.read_bytes())
         self.assertIn("holds no signals", complaint("session", "export", out, "--out", self.path / "p.log", "--dbc", dbc))
+        for name, *what in (("f.csv",), ("f.csv", "--what", "frames"), ("f.csv", "--what", "events"),
+                            ("f.mcap", "--what", "estimates")):
+            self.assertIn("--dbc: these rows hold no signals",
+                          complaint("session", "export", out, "--out", self.path / name, *what, "--dbc", dbc, code=2))
+        run("session", "export", out, "--out", bag, "--what", "frames", "--dbc", dbc)
+        self.assertIn(b'"name":"GasSensor","signals":{"CarbonMonoxide":23.5', bag.read_bytes())
 
     def test_estimates_and_events_are_those_of_the_file(self):
         file = sqlite3.connect(self.drive)
@@ -306,6 +312,16 @@ class Tables(Session):
                                                       "--what", "events"))
         self.assertIn("ends in none of", complaint("session", "export", self.drive, "--out", self.path / "a.txt"))
         self.assertEqual(list(self.path.iterdir()), [])
+
+    def test_only_a_session_ends_in_tts(self):
+        for command in (("export", "--format", "csv"), ("scenes",), ("strip",)):
+            self.assertIn("ends in .tts, as sessions do",
+                          complaint("session", *command, self.drive, "--out", self.path / "a.tts"))
+        self.assertEqual(list(self.path.iterdir()), [])
+
+    def test_a_format_that_is_named_allows_any_ending(self):
+        self.assertTrue(self.export("a.txt", "--format", "csv").read_text().startswith("__time,"))
+        self.assertTrue(self.export("a.log", "--format", "asc").read_text().startswith("date "))
 
 
 class McapFile(Session):

@@ -78,12 +78,15 @@ Status exportDrives(const SessionScenesOptions& options)
     std::string text = drivesHeader(!options.tracks, DriveColumns::Measured);
     std::size_t lines = 0, scenes = 0;
     std::set<std::string> runs;
+    SceneOrigins origins;
     for (const std::string& file : options.files) {
         auto session = SessionReader::open(file);
         if (!session) return session.error();
         const auto robot = robotOf(*session);
         if (!robot) return robot.error();
-        const auto found = sessionDrive(*session, *robot, !options.tracks);
+        const std::set<std::int64_t> repeated = origins.add(*session);
+        if (!repeated.empty() && repeated.size() == session->scenes().size()) continue;
+        const auto found = sessionDrive(*session, *robot, !options.tracks, repeated);
         if (!found) return found.error();
         if (!runs.insert(found->drive.run).second)
             return fileError(file, fmt::format("its name gives the run {}, as another file's does: "
@@ -100,7 +103,7 @@ Status exportDrives(const SessionScenesOptions& options)
     if (Status written = writeText(options.out, text); !written) return written;
     printText(messagesBeside(options.out),
               "{} lines of the way and {} scenes of {} drives written to {}\n", lines, scenes,
-              options.files.size(), options.out);
+              runs.size(), options.out);
     return Done{};
 }
 

@@ -33,8 +33,9 @@ struct RecoverOptions {
     std::vector<std::string> files;
     std::string out;  ///< new session for a damaged one; empty: NAME-recovered.tts
 };
-/// Closes sessions whose program died. A session may be damaged, lack its journal or be read-only. Its undamaged rows
-/// are then copied to a new session. The old file stays unchanged. Returns an Error if nothing could be saved.
+/// Closes sessions whose program died. A session or its journal may be damaged, the journal may be missing, or the
+/// session be read-only. Its undamaged rows are then copied to a new session. The old file and its journal stay
+/// unchanged. Returns an Error if nothing could be saved.
 Status recoverSessions(const RecoverOptions& options);
 
 struct SessionScenesOptions {

@@ -31,21 +31,23 @@ std::string jsonNumbers(std::span<const double> values)
     return text + "]";
 }
 
+// Foxglove and Lichtblick refuse a topic whose schema has a list of types, or an object without
+// properties. Their numbers may be null.
 constexpr const char* kCanSchema =
     R"({"type":"object","title":"CAN frame","properties":{"id":{"type":"integer"},"extended":{"type":"boolean"},)"
     R"("remote":{"type":"boolean"},"error":{"type":"boolean"},"fd":{"type":"boolean"},"sent":{"type":"boolean"},)"
     R"("length":{"type":"integer"},"data":{"type":"array","items":{"type":"integer"}},"name":{"type":"string"},)"
-    R"("signals":{"type":"object","additionalProperties":{"type":"number"}}}})";
+    R"("signals":{"type":"object","properties":{},"additionalProperties":{"type":"number"}}}})";
 constexpr const char* kMeasurementSchema =
     R"({"type":"object","title":"line of telemetry; rad, A, N","properties":{"pitch":{"type":"number"},)"
     R"("roll":{"type":"number"},"front_left":{"type":"number"},"front_right":{"type":"number"},)"
     R"("rear_left":{"type":"number"},"rear_right":{"type":"number"},"front_left_current":{"type":"number"},)"
     R"("front_right_current":{"type":"number"},"rear_left_current":{"type":"number"},)"
     R"("rear_right_current":{"type":"number"},"force":{"type":"array","items":{"type":"number"}},)"
-    R"("front_left_force":{"type":"array","items":{"type":["number","null"]}},)"
-    R"("front_right_force":{"type":"array","items":{"type":["number","null"]}},)"
-    R"("rear_left_force":{"type":"array","items":{"type":["number","null"]}},)"
-    R"("rear_right_force":{"type":"array","items":{"type":["number","null"]}},)"
+    R"("front_left_force":{"type":"array","items":{"type":"number"}},)"
+    R"("front_right_force":{"type":"array","items":{"type":"number"}},)"
+    R"("rear_left_force":{"type":"array","items":{"type":"number"}},)"
+    R"("rear_right_force":{"type":"array","items":{"type":"number"}},)"
     R"("differential":{"type":"number"},"travelled":{"type":"number"},"turned":{"type":"number"},)"
     R"("missing":{"type":"array","items":{"type":"string"}},)"
     R"("activity":{"type":"string"},"refusal":{"type":"string"}}})";

@@ -74,9 +74,10 @@ std::string jsonValuesOf(const DbcMessage& message, const CanFrame& frame)
     std::string values;
     for (std::size_t i = 0; i < bits.size(); ++i) {
         const DbcSignal& signal = message.payload[i];
-        if (!bits[i] || !std::isfinite(physicalOf(signal, *bits[i]))) continue;
+        if (!bits[i]) continue;
+        const bool isFinite = std::isfinite(physicalOf(signal, *bits[i]));
         values += fmt::format("{}{}:{}", values.empty() ? "" : ",", jsonText(signal.name),
-                              exactText(signal, *bits[i]));
+                              isFinite ? exactText(signal, *bits[i]) : "null");
     }
     return "{" + values + "}";
 }

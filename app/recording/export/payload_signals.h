@@ -58,7 +58,7 @@ private:
 std::string headingOf(const PayloadSignals::Message& message, const DbcSignal& signal);
 
 /// Return the JSON schema of a message's signals, and a frame's values: {"Oxygen":20.7}. Numbers that are not finite
-/// are omitted.
+/// are null. Signals that the frame lacks are omitted.
 std::string jsonSchemaOf(const PayloadSignals::Message& message);
 std::string jsonValuesOf(const DbcMessage& message, const CanFrame& frame);
 

@@ -60,6 +60,16 @@ TEST_F(FileGuard, refusesAWriteProtectedOutput)
     EXPECT_FALSE(checkCommandFiles({{in}, {}, {out}, {}}));
 }
 
+TEST_F(FileGuard, onlyASessionHasTheNameOfOne)
+{
+    for (const char* const name : {"new.tts", "NEW.TTS"}) {
+        const std::string session = directory.file(name);
+        EXPECT_TRUE(refused(checkCommandFiles({{in}, {}, {session}, {}}), session,
+                            {"ends in .tts, as sessions do, and is none"}));
+        EXPECT_TRUE(checkCommandFiles({{in}, {}, {session}, {}, {session}}));
+    }
+}
+
 TEST_F(FileGuard, aModelHasACardAndASessionHasNotes)
 {
     const std::string model = TERRATACT_SOURCE_DIR "/resources/models/default.ttm";

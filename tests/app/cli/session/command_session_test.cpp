@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 #include "app/cli/session/session_commands.h"
 #include "core/learn/data/scene_file.h"
@@ -35,6 +37,27 @@ TEST_F(SessionFiles, withoutTruthScenesHaveTheHeightsThatWereMeasured)
     EXPECT_EQ(known(plain), 0);
     EXPECT_EQ(known(touched), 2) << "one contact and the arm";
     EXPECT_EQ(touched.truth[10], 0.123);
+}
+
+TEST_F(SessionFiles, aCopyOfADriveIsTakenOnce)
+{
+    const std::string drive = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    const std::string copy = directory.file("copy.tts"), csv = directory.file("drives.csv");
+    std::filesystem::copy_file(drive, copy);
+    ASSERT_TRUE(exportScenes({.files = {drive}, .out = csv, .drives = true}));
+    const std::string once = contentOf(csv);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const Status done = exportScenes({.files = {drive, copy}, .out = csv, .drives = true});
+    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string counted = testing::internal::GetCapturedStdout();
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_EQ(contentOf(csv), once);
+    EXPECT_NE(counted.find(" 1 scenes of 1 drives written"), std::string::npos) << counted;
+    EXPECT_NE(said.find(copy + ": 1 of its 1 scenes are in " + drive
+                        + " too, which is the same recording: they are taken once"),
+              std::string::npos)
+        << said;
 }
 
 }  // namespace

@@ -21,6 +21,20 @@ TEST_F(SessionFiles, escapesTextsOfAForeignFile)
               std::string::npos);
 }
 
+TEST_F(SessionFiles, schemasHaveOnlyWhatViewersRead)
+{
+    const std::string mcap =
+        exported(session("a.tts",
+                         [](SessionWriter& writer) {
+                             ASSERT_TRUE(writer.add(EventRow{.id = 1, .kind = EventKind::Marker}));
+                         }),
+                 "a.mcap");
+    EXPECT_NE(mcap.find(R"("front_left_force":{"type":"array","items":{"type":"number"}})"),
+              std::string::npos);
+    EXPECT_EQ(mcap.find(R"("type":[)"), std::string::npos) << "Foxglove refuses a list of types";
+    EXPECT_NE(mcap.find(R"("signals":{"type":"object","properties":{})"), std::string::npos);
+}
+
 TEST_F(SessionFiles, eachSideHasAChannelIfThereAreTwo)
 {
     const auto fill = [](bool two) {

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/bags/field_value.h"
+#include "core/bags/json_value.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -83,6 +86,19 @@ TEST(PayloadSignalsOfARecording, valuesHaveAllDigitsAndAbsentOnesNone)
     EXPECT_EQ(numbersOf(gas, cut), (std::vector<std::string>{"20.71", ""}));
     EXPECT_EQ(jsonValuesOf(gas, whole), R"({"Oxygen":20.71,"State":2})");
     EXPECT_EQ(jsonValuesOf(gas, cut), R"({"Oxygen":20.71})");
+}
+
+TEST(PayloadSignalsOfARecording, numbersThatAreNotFiniteAreNullInJson)
+{
+    const auto book = bookOf("BO_ 1280 Arm: 8 P\n SG_ Torque : 0|32@1- (1,0) [0|0] \"N m\" C\n"
+                             " SG_ Speed : 32|32@1- (1,0) [0|0] \"\" C\n"
+                             "SIG_VALTYPE_ 1280 Torque : 1;\nSIG_VALTYPE_ 1280 Speed : 1;\n");
+    const CanFrame frame{.id = 1280, .length = 8, .data = {0, 0, 0xC0, 0x7F, 0, 0, 0x80, 0x7F}};
+    const std::string json = jsonValuesOf(book->find(frame)->message, frame);
+    EXPECT_EQ(json, R"({"Torque":null,"Speed":null})") << "NaN and infinity";
+    const auto read = jsonValue(json);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_TRUE(std::isnan(numberAt(*read, "Torque").value_or(0.0))) << "our reader knows the key";
 }
 
 }  // namespace
