@@ -205,7 +205,8 @@ TEST_F(MixTraining, wrongGeneratedScenesAreLeftOut)
 
 TEST_F(MixTraining, aRepeatedFileChangesNoError)
 {
-    plan.generated = {written("generated.csv", someTrackScenes(6, 2))};
+    plan.tracks = written("few.csv", someTrackScenes(5, 1));
+    plan.generated = {written("generated.csv", someTrackScenes(3, 2))};
     std::vector<CardMix> mixes;
     TrainingWatch watch;
     watch.mix = [&](const CardMix& chosen) { mixes.push_back(chosen); };
