@@ -351,6 +351,7 @@ std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd
         throw std::invalid_argument("places need eleven features and heights of every row");
     Places<PlaneKey> places;
     std::vector<int> result;
+    result.reserve(static_cast<std::size_t>(features.rows()));
     for (Eigen::Index u = 0; u < features.rows(); ++u)
         result.push_back(places.placeOf(keyOfRow<PlaneKey>(features, heights, unknownBins, u),
                                         static_cast<int>(u)));
