@@ -14,28 +14,13 @@
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/rest/rest_pose.h"
 #include "core/sim/rest/rest_search.h"
+#include "tests/core/sim/rest/some_ground.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
 
 constexpr double kX = 3.0;
-const PerFlipper<FlipperDrive> kDrives = flipperDrives(PressTorque{18.0}, HoldAngle{0.2});
-
-/// Returns lines under tracks and flippers: common varied ground, roughness of each line, and a
-/// cross slope.
-GroundLines someGround(std::mt19937_64& rng)
-{
-    const TerrainProfile common = randomVariedTerrain(rng);
-    const double slope = std::uniform_real_distribution<double>(-0.2, 0.2)(rng);
-    std::vector<GroundLine> lines;
-    for (const double y : {0.272, 0.1985, -0.1985, -0.272}) {
-        const TerrainProfile rough = isoRoughness(1024e-6, kRandomTerrainLength, rng);
-        const TerrainProfile level({{0.0, y * slope}, {kRandomTerrainLength, y * slope}});
-        lines.push_back({y, sum(sum(common, rough), level)});
-    }
-    return GroundLines(std::move(lines));
-}
 
 GroundLines twoSides(const TerrainProfile& left, const TerrainProfile& right)
 {
@@ -45,11 +30,6 @@ GroundLines twoSides(const TerrainProfile& left, const TerrainProfile& right)
 TerrainProfile level(double height)
 {
     return TerrainProfile({{0.0, height}, {6.0, height}});
-}
-
-double placeOn(const GroundLines& ground, std::mt19937_64& rng)
-{
-    return std::uniform_real_distribution<double>(ground.begin() + 0.7, ground.end() - 0.8)(rng);
 }
 
 double largestDifference(const TwoTrackReadings& a, const TwoTrackReadings& b)
@@ -142,93 +122,6 @@ TEST(TwoTrackRest, onMirroredGroundHasMirroredReadings)
     }
     std::printf("mirrored ground: %d poses, largest difference %.1e rad\n", poses, largest);
     EXPECT_GT(compared, 20);
-}
-
-/// Returns a pose some millimetres inside of the ground, so that many springs are compressed.
-TwoTrackPose pressedIn(const TwoTrackPose& rest, std::mt19937_64& rng)
-{
-    std::uniform_real_distribution<double> some(-0.02, 0.02);
-    TwoTrackPose pose = rest;
-    pose.base.z -= 0.003;
-    pose.pitch += some(rng);
-    pose.roll += some(rng);
-    pose.differential += some(rng);
-    for (double& angle : pose.flippers) angle += some(rng);
-    return pose;
-}
-
-TwoTrackPose shifted(TwoTrackPose pose, int coordinate, double way)
-{
-    using C = TwoTrackCoordinate;
-    auto& [frontLeft, frontRight, rearLeft, rearRight] = pose.flippers;
-    switch (coordinate) {
-    case C::Z: pose.base.z += way; break;
-    case C::Pitch: pose.pitch += way; break;
-    case C::FrontMean: frontLeft += way, frontRight += way; break;
-    case C::RearMean: rearLeft += way, rearRight += way; break;
-    case C::Roll: pose.roll += way; break;
-    case C::FrontHalf: frontLeft += way, frontRight -= way; break;
-    case C::RearHalf: rearLeft += way, rearRight -= way; break;
-    default: pose.differential += way;
-    }
-    return pose;
-}
-
-TEST(TwoTrackPotential, hasTheDerivativesOfItsEnergy)
-{
-    RobotModel robot = absolem();
-    robot.lateral.bodyComY = 0.03;
-    std::mt19937_64 rng(3);
-    constexpr double kWay = 1e-7;
-    for (int run = 0; run < 10; ++run) {
-        const GroundLines ground = someGround(rng);
-        const double x = placeOn(ground, rng);
-        const auto rest = restPose(robot, ground, x, kDrives);
-        if (!rest) continue;
-        const TwoTrackPotential potential(robot, ground, x, kDrives, {});
-        const TwoTrackPose pose = pressedIn(rest->pose, rng);
-        TwoTrackDerivatives here, low, high;
-        const double stiffness = 1e4;
-        potential(pose, stiffness, &here, nullptr);
-        for (int i = 0; i < TwoTrackCoordinate::Count; ++i) {
-            const double below = potential(shifted(pose, i, -kWay), stiffness, &low, nullptr);
-            const double above = potential(shifted(pose, i, kWay), stiffness, &high, nullptr);
-            const double slope = (above - below) / (2.0 * kWay);
-            EXPECT_NEAR(here.gradient[i], slope, 1e-5 * (1.0 + here.gradient.norm())) << i;
-            const TwoTrackVector column = (high.gradient - low.gradient) / (2.0 * kWay);
-            EXPECT_LT((here.hessian.col(i) - column).norm(), 1e-5 * (1.0 + here.hessian.norm()))
-                << "run " << run << " coordinate " << i;
-        }
-    }
-}
-
-TEST(TwoTrackRest, isALocalMinimumOfTheEnergy)
-{
-    const RobotModel robot = absolem();
-    std::mt19937_64 rng(17);
-    std::normal_distribution<double> normal;
-    int tested = 0;
-    for (int run = 0; run < 8; ++run) {
-        const GroundLines ground = someGround(rng);
-        const double x = placeOn(ground, rng);
-        const auto rest = restPose(robot, ground, x, kDrives);
-        if (!rest) continue;
-        const TwoTrackPotential potential(robot, ground, x, rest->drives, {});
-        for (int k = 0; k < 1000; ++k) {
-            const double size = std::pow(10.0, -1.0 - 4.0 * (k % 5) / 4.0);
-            TwoTrackPose pose = rest->pose;
-            pose.base.z += 0.01 * size * normal(rng);
-            pose.pitch += 0.03 * size * normal(rng);
-            pose.roll += 0.03 * size * normal(rng);
-            for (std::size_t i = 0; i < kFlippers; ++i)
-                if (isPressed(rest->drives[i])) pose.flippers[i] += 0.1 * size * normal(rng);
-            EXPECT_GE(potential(pose, GroundOptions{}.stiffness, nullptr, nullptr),
-                      rest->energy - 1e-8)
-                << "run " << run << " perturbation " << k;
-        }
-        ++tested;
-    }
-    EXPECT_GE(tested, 6);
 }
 
 TEST(TwoTrackRest, carriesTheWeightOnBothSides)
