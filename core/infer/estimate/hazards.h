@@ -7,7 +7,8 @@
 
 namespace terratact {
 
-/// Size of a hazard in a bin that is not felt [m].
+/// Range of the depth or height of a hazard [m], here and on simulated ground
+/// (core/sim/ground/hazard_terrain.h).
 inline constexpr double kSmallestHazard = 0.15;
 inline constexpr double kLargestHazard = 2.0;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/named.h"
+#include "core/infer/estimate/hazards.h"
 #include "core/sim/ground/random_draw.h"
 #include "core/sim/ground/random_ground.h"
 #include "core/sim/ground/random_terrain.h"
@@ -28,7 +29,7 @@ void addDitch(TerrainPath& path, double depth, std::mt19937_64& rng)
 
 void addHazardShape(TerrainPath& path, Hazard hazard, std::mt19937_64& rng)
 {
-    const double size = logUniform(rng, kShallowestHazard, kDeepestHazard);
+    const double size = logUniform(rng, kSmallestHazard, kLargestHazard);
     switch (hazard) {
     case Hazard::Drop: return path.face(-size);
     case Hazard::Wall: return path.face(size);

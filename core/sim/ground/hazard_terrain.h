@@ -27,16 +27,13 @@ inline constexpr std::array kHazards{Hazard::Drop,     Hazard::Gap,  Hazard::Pit
 /// Returns "drop", "gap", "pit", "ditch", "ramp-drop", "wall" or "lip".
 std::string_view name(Hazard hazard);
 
-/// Range of depths and heights of hazards [m], log-uniform.
-inline constexpr double kShallowestHazard = 0.15;
-inline constexpr double kDeepestHazard = 2.0;
-
 /// Range of the hazard's x in randomHazardTerrain [m].
 inline constexpr double kHazardBegin = 2.0;
 inline constexpr double kHazardEnd = 3.0;
 
 /// Returns level ground from x = 0, the hazard between kHazardBegin and kHazardEnd, and level
-/// ground up to kRandomTerrainLength (core/sim/ground/random_terrain.h).
+/// ground up to kRandomTerrainLength (core/sim/ground/random_terrain.h). The hazard's depth or
+/// height is log-uniform in [kSmallestHazard, kLargestHazard] (core/infer/estimate/hazards.h).
 ///   roughness: G(n₀) [m³] of isoRoughness() added everywhere; 0: exactly level ground.
 TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937_64& rng);
 

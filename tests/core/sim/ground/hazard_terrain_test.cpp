@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/infer/estimate/hazards.h"
 #include "core/sim/ground/random_terrain.h"
 
 namespace terratact {
@@ -24,8 +25,8 @@ TEST(HazardTerrain, isLevelUpToTheHazard)
                 lowest = std::min(lowest, ground.heightAt(x));
                 highest = std::max(highest, ground.heightAt(x));
             }
-            EXPECT_GE(highest - lowest, kShallowestHazard - 1e-9) << name(hazard) << seed;
-            EXPECT_LE(highest - lowest, kDeepestHazard + 0.4) << name(hazard) << seed;
+            EXPECT_GE(highest - lowest, kSmallestHazard - 1e-9) << name(hazard) << seed;
+            EXPECT_LE(highest - lowest, kLargestHazard + 0.4) << name(hazard) << seed;
             EXPECT_GE(ground.end(), kRandomTerrainLength);
         }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/infer/estimate/hazards.h"
 #include "core/sim/ground/hazard_terrain.h"
 #include "core/sim/ground/random_terrain.h"
 #include "tests/support/absolem.h"
@@ -137,7 +138,7 @@ TEST(HazardGround, isOnTheSidesThatAreAskedFor)
             };
             for (const double y : kYs) {
                 const bool has = side == HazardSide::Both || (side == HazardSide::Left) == (y > 0);
-                EXPECT_EQ(height(y) >= kShallowestHazard - 1e-9, has) << name(hazard) << y;
+                EXPECT_EQ(height(y) >= kSmallestHazard - 1e-9, has) << name(hazard) << y;
                 EXPECT_EQ(height(y) > 0.0, has);
             }
         }
