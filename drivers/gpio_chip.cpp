@@ -200,7 +200,7 @@ Result<GpioFound> placeGpioLines(const GpioRequest& request, const GpioChip& chi
         auto at = placeOf(wanted.name, wanted.offset, chip, lines);
         if (!at) return at.error();
         if (!used.insert(at->offset).second)
-            return Error{Message(TR_NOOP("core", "line %1 of %2 is asked for twice"),
+            return Error{Message(TR_NOOP("core", "line %1 of %2 is requested twice"),
                                  placeName(*at), chipName(chip.name, chip.label)),
                          EINVAL};
         places.push_back(*std::move(at));

@@ -130,7 +130,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
                   explore(*panel->requestButton(), window);
               }});
     keys.add({{Qt::Key_O},
-              MainWindow::tr("explore in spite of a doubt (override)"),
+              MainWindow::tr("explore in spite of a doubtful requirement (override)"),
               ifSeen(panel->overrideButton(), [exploration] { exploration->overrideWarnings(); })});
     addAnswerKeys(keys, window.probeCard());
     keys.add({{Qt::Key_B},

@@ -52,9 +52,9 @@ void GamepadControl::poll(double now, bool mayAct)
     press(intents);
     showConnection(before);
     if (held && before.isConnected() && !state_.isConnected())
-        emit happened(TR_NOOP("terratact::GamepadControl",
-                              "the gamepad is lost: everything that it held is let go"),
-                      EventSeverity::Bad);
+        emit happened(
+            TR_NOOP("terratact::GamepadControl", "gamepad lost: all its controls are released"),
+            EventSeverity::Bad);
 }
 
 void GamepadControl::stop()

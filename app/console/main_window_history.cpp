@@ -22,7 +22,7 @@ bool MainWindow::asksInPast()
 {
     if (!history_->showsPast()) return false;
     showWhyNot({TR_NOOP("terratact::MainWindow",
-                        "no probe is asked for: the picture shows an estimate of the past")});
+                        "no probe requested: the picture shows an earlier estimate")});
     return true;
 }
 

@@ -63,8 +63,8 @@ void MainWindow::showLook()
     lookWaits_ = moves && !hasLook(now.theme, now.fontScale);
     if (!lookWaits_) return setLook(now.theme, now.fontScale);
     if (!before)
-        showWhyNot(TR_NOOP("terratact::MainWindow",
-                           "colours and letters change once the robot stands still"));
+        showWhyNot(
+            TR_NOOP("terratact::MainWindow", "colours and font change once the robot has stopped"));
 }
 
 /// Takes the robot file of a dialog that may have been open since before arming.

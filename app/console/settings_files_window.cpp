@@ -305,7 +305,7 @@ void SettingsFilesWindow::showChanges()
     proposed_ = changesBetween(store_.current(), withSettings(store_.current(), *proposal_));
     if (proposed_.empty()) {
         dropProposal();
-        return report(tr("“%1” changes nothing: these settings are in force").arg(proposedName_),
+        return report(tr("“%1” changes nothing: these settings are active").arg(proposedName_),
                       false);
     }
     const int count = static_cast<int>(proposed_.size());

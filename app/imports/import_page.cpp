@@ -140,7 +140,7 @@ void ImportPage::connectWork()
         result_->setPlainText(doubts.join(QLatin1Char('\n')));
         showIdle(doubts.isEmpty()
                      ? tr("Nothing is doubtful.")
-                     : tr("%n doubt(s), see below.", nullptr, static_cast<int>(doubts.size())));
+                     : tr("%n warning(s), see below.", nullptr, static_cast<int>(doubts.size())));
     });
     connect(work_, &ImportWork::imported, this,
             [this](const QString& session, const ImportedSession& report) {

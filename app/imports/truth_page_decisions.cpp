@@ -37,7 +37,7 @@ void TruthPage::loadDecisions()
     }
     mayDecide_ = false;
     for (QPushButton* const control : deciding_) control->setEnabled(false);
-    showState(tr("%1. Move this file away to decide anew.").arg(translated(fits.error().message)));
+    showState(tr("%1. Move this file away to start again.").arg(translated(fits.error().message)));
 }
 
 Status TruthPage::checkCells(const std::vector<TruthDecision>& decisions) const
@@ -47,8 +47,8 @@ Status TruthPage::checkCells(const std::vector<TruthDecision>& decisions) const
             return fileError(
                 decisionsPath().toStdString(),
                 Message(TR_NOOP("core", "line %1: along_m moves the cloud, but the truth file was "
-                                        "written by an earlier version and holds no cells of it: "
-                                        "write it again by terratact truth --review"),
+                                        "written by an earlier version and does not hold its "
+                                        "cells: write it again by terratact truth --review"),
                         decision.line));
     return Done{};
 }

@@ -27,7 +27,7 @@ void Exploration::askProbe(ProbePlace place)
 {
     if (const auto why = whyNotAsking(place))
         return void(emit happened(
-            Message(TR_NOOP("terratact::Exploration", "no probe is asked for: %1"), *why),
+            Message(TR_NOOP("terratact::Exploration", "no probe requested: %1"), *why),
             EventSeverity::Warning));
     if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, place);
     emit decided("choose", placeName(place));
@@ -101,7 +101,7 @@ void Exploration::choose(quint64 proposal, ProbePlace place)
     emit decided("choose", placeName(place));
     probes_.propose(place);
     emit proposed();
-    emit happened(Message(TR_NOOP("terratact::Exploration", "probe asked for %1 instead"),
+    emit happened(Message(TR_NOOP("terratact::Exploration", "probe %1 requested instead"),
                           placeMessage(place)),
                   EventSeverity::Note);
 }

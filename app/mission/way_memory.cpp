@@ -31,7 +31,7 @@ Message WayMemory::why() const
     case SectionStart::OdometryJump:
     case SectionStart::Cleared: break;
     }
-    return {TR_NOOP("terratact::Estimation", "memory begins anew: %1"), why};
+    return {TR_NOOP("terratact::Estimation", "memory cleared: %1"), why};
 }
 
 Method methodWith(Method wanted, const SceneMemory& memory, const TrailInUse& networks)

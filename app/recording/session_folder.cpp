@@ -154,8 +154,8 @@ std::vector<Message> applyRetention(const std::vector<std::string>& paths,
         if (surplus.empty()) return {};
         double bytes = 0.0;
         for (const ClosedSession& session : surplus) bytes += session.bytes;
-        return {Message(TR_NOOP("core", "%1 sessions of %2 MB are beyond the limits that you have "
-                                        "set; none is deleted until you allow it on page Settings"),
+        return {Message(TR_NOOP("core", "%1 sessions (%2 MB) exceed your limits. None is deleted "
+                                        "until you allow it on page Settings"),
                         surplus.size(), fixed(1e-6 * bytes, 1))};
     }
     std::vector<Message> reports;

@@ -144,7 +144,7 @@ void ReviewWindow::addPages(QStringList models)
 
 void ReviewWindow::addTools()
 {
-    connect(addTool(tr("Open"), tr("Open another file in a window of its own (Ctrl+O)")),
+    connect(addTool(tr("Open"), tr("Open a file in another window (Ctrl+O)")),
             &QPushButton::clicked, this, &ReviewWindow::open);
     connect(addTool(tr("Export"),
                     tr("Exports the visible part or the whole session to a file (Ctrl+E)")),

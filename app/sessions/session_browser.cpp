@@ -104,7 +104,7 @@ QWidget* SessionBrowser::buttons()
     open_ = new QPushButton(tr("&Open"), bottom);
     open_->setProperty("role", "primary");
     open_->setDefault(true);
-    setTip(*open_, tr("Reviews the chosen recording in a window of its own (Enter)"));
+    setTip(*open_, tr("Reviews the chosen recording in another window (Enter)"));
     for (QPushButton* const plain : {choose_, other_, closing}) plain->setAutoDefault(false);
     auto* row = new QHBoxLayout(bottom);
     row->setContentsMargins(0, 0, 0, 0);

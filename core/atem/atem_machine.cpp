@@ -279,9 +279,9 @@ SourceText describe(AtemFailure failure)
         return TR_NOOP("core", "the robot did not finish the advance in time");
     case AtemFailure::AdvanceRefused: return TR_NOOP("core", "the advance was refused");
     case AtemFailure::NotMoved:
-        return TR_NOOP("core", "the tracks moved less than the advance asked for");
+        return TR_NOOP("core", "the tracks moved less than the commanded advance");
     case AtemFailure::RanOn:
-        return TR_NOOP("core", "the tracks moved further than the advance asked for");
+        return TR_NOOP("core", "the tracks moved further than the commanded advance");
     case AtemFailure::NotSent: return TR_NOOP("core", "a command could not be sent");
     case AtemFailure::BeginTimeout:
         return TR_NOOP("core", "the robot did not begin the exploration in time");

@@ -9,7 +9,7 @@ namespace terratact {
 SourceText describe(LoopEnd end)
 {
     switch (end) {
-    case LoopEnd::None: return TR_NOOP("core", "it goes on");
+    case LoopEnd::None: return TR_NOOP("core", "running");
     case LoopEnd::LetGo: return TR_NOOP("core", "the control was let go");
     case LoopEnd::Aborted: return TR_NOOP("core", "the operator ended it");
     case LoopEnd::Stop: return TR_NOOP("core", "STOP was pressed");

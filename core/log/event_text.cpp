@@ -24,6 +24,27 @@ constexpr FormerText kFormerTexts[] = {
     {"a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)",
      TR_NOOP("core", "a step ahead of more than %1 mm: probability %2 ± %3, most likely at "
                      "%4 m … %5 m (%6)")},
+    {"the tracks moved less than the advance asked for",
+     TR_NOOP("core", "the tracks moved less than the commanded advance")},
+    {"the tracks moved further than the advance asked for",
+     TR_NOOP("core", "the tracks moved further than the commanded advance")},
+    {"line %1 of %2 is asked for twice", TR_NOOP("core", "line %1 of %2 is requested twice")},
+    {"%1: mend or delete the line", TR_NOOP("core", "%1: correct or delete the line")},
+    {"expected %1, found %2: mend or delete the line",
+     TR_NOOP("core", "expected %1, found %2: correct or delete the line")},
+    {"%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until you "
+     "allow it on page Settings",
+     TR_NOOP("core", "%1 sessions (%2 MB) exceed your limits. None is deleted until you allow it "
+                     "on page Settings")},
+    {"memory begins anew: %1", TR_NOOP("terratact::Estimation", "memory cleared: %1")},
+    {"no probe is asked for: %1", TR_NOOP("terratact::Exploration", "no probe requested: %1")},
+    {"probe asked for %1 instead", TR_NOOP("terratact::Exploration", "probe %1 requested instead")},
+    {"no probe is asked for: the picture shows an estimate of the past",
+     TR_NOOP("terratact::MainWindow", "no probe requested: the picture shows an earlier estimate")},
+    {"colours and letters change once the robot stands still",
+     TR_NOOP("terratact::MainWindow", "colours and font change once the robot has stopped")},
+    {"the gamepad is lost: everything that it held is let go",
+     TR_NOOP("terratact::GamepadControl", "gamepad lost: all its controls are released")},
 };
 
 /// Returns the message with today's sentences, in its arguments too.

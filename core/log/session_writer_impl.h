@@ -51,8 +51,8 @@ struct SessionWriter::Impl {
     {
         if (time < -kMaxSessionTime || time > kMaxSessionTime)
             throw SqliteError(TR_NOOP(
-                "core", "a row lies more than 36 years from the session's begin, which no reader "
-                        "takes: split the recording, or mend its clock"));
+                "core", "a row is more than 36 years from the session's begin, which no reader "
+                        "accepts: split the recording, or correct its clock"));
         if (!open) {
             begin.run();
             open = true;

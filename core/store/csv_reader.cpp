@@ -337,7 +337,7 @@ Status CsvReader::checkCount()
     if (fields_.size() > columns_ && separator_ == ',')
         return error(Message(
             TR_NOOP("core", "%1: are there decimal commas? save numbers with a point"), cause));
-    return error(Message(TR_NOOP("core", "%1: mend or delete the line"), cause));
+    return error(Message(TR_NOOP("core", "%1: correct or delete the line"), cause));
 }
 
 // Returns true for a line below the header without any number, where numbers are expected.

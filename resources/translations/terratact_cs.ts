@@ -1502,7 +1502,7 @@ značka K</translation>
         <translation>ne</translation>
     </message>
     <message>
-        <source>Settings in force</source>
+        <source>Active settings</source>
         <translation>Platná nastavení</translation>
     </message>
     <message>
@@ -3132,7 +3132,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>tlačítko %1 na panelu je drženo příliš dlouho. Počítá se jako nestisknuté, dokud se neuvolní. Není-li drženo, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
     </message>
     <message>
-        <source>line %1 of %2 is asked for twice</source>
+        <source>line %1 of %2 is requested twice</source>
         <translation>linka %1 čipu %2 je požadována dvakrát</translation>
     </message>
     <message>
@@ -4140,7 +4140,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>konec záznamu je utržený</translation>
     </message>
     <message>
-        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it anew as such</source>
+        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it again as one</source>
         <translation>není text v UTF-8 ani v kódové stránce Windows 1252: očekává se soubor DBC; uložte jej tak znovu</translation>
     </message>
     <message>
@@ -4184,8 +4184,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je %1; očekává se záznam jako text: can_logconvert z python-can jej vytvoří</translation>
     </message>
     <message>
-        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until you allow it on page Settings</source>
-        <translation>%1 relací o %2 MB překračuje meze, které jste nastavili; žádná se nesmaže, dokud to nepovolíte na stránce Nastavení</translation>
+        <source>%1 sessions (%2 MB) exceed your limits. None is deleted until you allow it on page Settings</source>
+        <translation>Relace (%1, %2 MB) překračují vaše meze. Žádná se nesmaže, dokud to nepovolíte na stránce Nastavení</translation>
     </message>
     <message>
         <source>there is no home folder to record in: --sessions names another</source>
@@ -4840,8 +4840,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>0 (celé číslo), 1 (float) nebo 2 (double)</translation>
     </message>
     <message>
-        <source>is no text in UTF-8: its letters are read as Windows code page 1252; where they look wrong, save it as UTF-8</source>
-        <translation>není text v UTF-8: jeho písmena se čtou podle kódové stránky Windows 1252; vypadají-li špatně, uložte ho jako UTF-8</translation>
+        <source>is not UTF-8: read as Windows code page 1252; if characters look wrong, save it as UTF-8</source>
+        <translation>není v UTF-8: přečteno podle kódové stránky Windows 1252; vypadají-li znaky špatně, uložte soubor jako UTF-8</translation>
     </message>
     <message>
         <source>the byte order, 1 (little-endian) or 0</source>
@@ -5444,16 +5444,16 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>postup byl odmítnut</translation>
     </message>
     <message>
-        <source>the tracks moved less than the advance asked for</source>
-        <translation>pásy ujely méně, než postup žádal</translation>
+        <source>the tracks moved less than the commanded advance</source>
+        <translation>pásy ujely méně, než žádal povel</translation>
     </message>
     <message>
-        <source>the tracks moved further than the advance asked for</source>
-        <translation>pásy ujely více, než postup žádal</translation>
+        <source>the tracks moved further than the commanded advance</source>
+        <translation>pásy ujely více, než žádal povel</translation>
     </message>
     <message>
-        <source>it goes on</source>
-        <translation>pokračuje</translation>
+        <source>running</source>
+        <translation>probíhá</translation>
     </message>
     <message>
         <source>the control was let go</source>
@@ -5912,7 +5912,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je utržený: má %1 polí, kde jich má záhlaví %2, a soubor nekončí koncem řádku: řádek smažte</translation>
     </message>
     <message>
-        <source>%1: mend or delete the line</source>
+        <source>%1: correct or delete the line</source>
         <translation>%1: opravte nebo smažte řádek</translation>
     </message>
     <message>
@@ -5936,7 +5936,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nulové bajty jako po výpadku napájení jsou vynechány i s textem, který přerušily</translation>
     </message>
     <message>
-        <source>expected %1, found %2: mend or delete the line</source>
+        <source>expected %1, found %2: correct or delete the line</source>
         <translation>očekáváno: %1, nalezeno: %2: opravte nebo smažte řádek</translation>
     </message>
     <message>
@@ -5992,7 +5992,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>disk je plný: uvolněte na něm místo, nebo zadejte soubor na jiném disku</translation>
     </message>
     <message>
-        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and holds no cells of it: write it again by terratact truth --review</source>
+        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and does not hold its cells: write it again by terratact truth --review</source>
         <translation>řádek %1: along_m posouvá mračno bodů, ale soubor skutečnosti zapsala dřívější verze a nemá jeho buňky: zapište ho znovu příkazem terratact truth --review</translation>
     </message>
     <message>
@@ -6044,8 +6044,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>má %1 bajtů, hlavička udává %2: je uříznutý, zkopírujte jej znovu</translation>
     </message>
     <message>
-        <source>a row lies more than 36 years from the session&apos;s begin, which no reader takes: split the recording, or mend its clock</source>
-        <translation>řádek je od začátku relace vzdálen více než 36 let, což žádný čtenář nepřijme: rozdělte nahrávku, nebo opravte její hodiny</translation>
+        <source>a row is more than 36 years from the session&apos;s begin, which no reader accepts: split the recording, or correct its clock</source>
+        <translation>řádek je od začátku relace vzdálen více než 36 let, což žádná čtečka nepřijme: rozdělte nahrávku, nebo opravte její hodiny</translation>
     </message>
     <message>
         <source>it has the name of a session&apos;s journal: name another file</source>
@@ -6632,8 +6632,8 @@ Poslední deaktivace: %1</translation>
         <translation>Přesto (O)</translation>
     </message>
     <message>
-        <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
-        <translation>Prozkoumat navzdory pochybnostem; zapíše se to a zůstane na obrazovce</translation>
+        <source>Explores in spite of the doubtful requirement. The override is recorded and stays on the screen</source>
+        <translation>Prozkoumá navzdory spornému předpokladu. Přebití se zaznamená a zůstane na obrazovce</translation>
     </message>
     <message>
         <source>about %1 left</source>
@@ -6746,8 +6746,8 @@ Poslední deaktivace: %1</translation>
         <translation>nelze použít, viz níže</translation>
     </message>
     <message>
-        <source>mends it: %1</source>
-        <translation>spraví to: %1</translation>
+        <source>repair: %1</source>
+        <translation>oprava: %1</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -6794,16 +6794,16 @@ Poslední deaktivace: %1</translation>
         <translation>Sběrnice CAN %1 — %2</translation>
     </message>
     <message>
-        <source>Log to replay, in a window of its own</source>
-        <translation>Záznam k přehrání, ve vlastním okně</translation>
+        <source>Log to replay, in another window</source>
+        <translation>Záznam k přehrání, v jiném okně</translation>
     </message>
     <message>
-        <source>Session to review, in a window of its own</source>
-        <translation>Relace k prohlédnutí, ve vlastním okně</translation>
+        <source>Session to review, in another window</source>
+        <translation>Relace k prohlédnutí, v jiném okně</translation>
     </message>
     <message>
-        <source>This interface cannot be used: mend it first, then look again</source>
-        <translation>Toto rozhraní nelze použít: nejdřív je spravte, pak se podívejte znovu</translation>
+        <source>This interface cannot be used: repair it first, then look again</source>
+        <translation>Toto rozhraní nelze použít: nejdřív je opravte, pak se podívejte znovu</translation>
     </message>
     <message>
         <source>✔ Needs no hardware. Its ground is the one that the console was started with</source>
@@ -6826,8 +6826,8 @@ Poslední deaktivace: %1</translation>
         <translation>Zvolit relaci …</translation>
     </message>
     <message>
-        <source>Opens the console anew with it (Return)</source>
-        <translation>Otevře konzolu znovu s tím (Return)</translation>
+        <source>Restarts the console with it (Return)</source>
+        <translation>Restartuje s tím konzolu (Return)</translation>
     </message>
     <message>
         <source>Session to review</source>
@@ -6863,7 +6863,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
-        <translation>Protokoly a záznamy jiných programů (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
+        <translation>Záznamy sběrnice a záznamy jiných programů (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Všechny soubory (*)</translation>
     </message>
     <message>
         <source>Recordings of this console (.tts)</source>
@@ -7374,8 +7374,8 @@ F1</translation>
         <translation>Podél pásů, za posledních 0,3 s</translation>
     </message>
     <message>
-        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground, &quot;none&quot; where nothing ahead is felt</source>
-        <translation>Terén je ohmatán až sem, vpřed od IMU, na obou stranách; „!“ tam, kde pásy opouštějí ohmataný terén, „nikam“ tam, kde vpředu není nic ohmatáno</translation>
+        <source>The ground is felt up to here, forward from the IMU, on both sides. &quot;!&quot;: the tracks are about to leave felt ground. &quot;none&quot;: nothing ahead is felt</source>
+        <translation>Terén je ohmatán až sem, vpřed od IMU, na obou stranách. „!“: pásy brzy opustí ohmataný terén. „nikam“: vpředu není nic ohmatáno</translation>
     </message>
     <message>
         <source>none</source>
@@ -7389,8 +7389,8 @@ F1</translation>
         <translation>Výsledek</translation>
     </message>
     <message>
-        <source>Reasons to doubt the result</source>
-        <translation>Co výsledek zpochybňuje</translation>
+        <source>Warnings about the result</source>
+        <translation>Varování k výsledku</translation>
     </message>
     <message>
         <source>Progress of the estimate</source>
@@ -7512,8 +7512,8 @@ F1</translation>
         <translation>cesta zde začíná</translation>
     </message>
     <message>
-        <source>memory begins anew: %1</source>
-        <translation>paměť začíná znovu: %1</translation>
+        <source>memory cleared: %1</source>
+        <translation>paměť vymazána: %1</translation>
     </message>
     <message>
         <source>the model has no networks for it</source>
@@ -7686,8 +7686,8 @@ F1</translation>
         <translation>běží průzkum</translation>
     </message>
     <message>
-        <source>no probe is asked for: %1</source>
-        <translation>o sondu se nežádá: %1</translation>
+        <source>no probe requested: %1</source>
+        <translation>sonda nevyžádána: %1</translation>
     </message>
     <message>
         <source>the estimate is hidden: Ctrl+Z restores it</source>
@@ -7726,8 +7726,8 @@ F1</translation>
         <translation>žádá se sonda %1: robot znovu přitlačí, pak přijde dotaz</translation>
     </message>
     <message>
-        <source>probe asked for %1 instead</source>
-        <translation>místo toho žádána sonda %1</translation>
+        <source>probe %1 requested instead</source>
+        <translation>místo toho vyžádána sonda %1</translation>
     </message>
     <message>
         <source>the arm does not reach the ground %1</source>
@@ -7823,8 +7823,8 @@ F1</translation>
 <context>
     <name>terratact::GamepadControl</name>
     <message>
-        <source>the gamepad is lost: everything that it held is let go</source>
-        <translation>gamepad je ztracen: vše, co držel, je puštěno</translation>
+        <source>gamepad lost: all its controls are released</source>
+        <translation>gamepad ztracen: všechny jeho ovladače jsou uvolněny</translation>
     </message>
     <message>
         <source>STOP pressed on the gamepad</source>
@@ -8199,11 +8199,11 @@ F1</translation>
         <translation>Nic není pochybné.</translation>
     </message>
     <message numerus="yes">
-        <source>%n doubt(s), see below.</source>
+        <source>%n warning(s), see below.</source>
         <translation>
-            <numerusform>%n pochybnost, viz níže.</numerusform>
-            <numerusform>%n pochybnosti, viz níže.</numerusform>
-            <numerusform>%n pochybností, viz níže.</numerusform>
+            <numerusform>%n varování, viz níže.</numerusform>
+            <numerusform>%n varování, viz níže.</numerusform>
+            <numerusform>%n varování, viz níže.</numerusform>
         </translation>
     </message>
     <message>
@@ -8413,8 +8413,8 @@ F1</translation>
         <translation>Robot je aktivní: nejdřív deaktivovat (M)</translation>
     </message>
     <message>
-        <source>explore in spite of a doubt (override)</source>
-        <translation>přebít, co je na průzkumu sporné</translation>
+        <source>explore in spite of a doubtful requirement (override)</source>
+        <translation>prozkoumat navzdory spornému předpokladu (přebít)</translation>
     </message>
     <message>
         <source>marked in the recording</source>
@@ -8553,8 +8553,8 @@ F1</translation>
         <translation>znovu ukázat v obraze současný odhad</translation>
     </message>
     <message>
-        <source>no probe is asked for: the picture shows an estimate of the past</source>
-        <translation>sonda není vyžádána: obraz ukazuje minulý odhad</translation>
+        <source>no probe requested: the picture shows an earlier estimate</source>
+        <translation>sonda nevyžádána: obraz ukazuje dřívější odhad</translation>
     </message>
     <message>
         <source>connect to a bus, the simulated robot, a log or a session</source>
@@ -8609,8 +8609,8 @@ F1</translation>
         <translation>není aktivní: %1</translation>
     </message>
     <message>
-        <source>colours and letters change once the robot stands still</source>
-        <translation>barvy a velikost písma se změní, až robot stojí</translation>
+        <source>colours and font change once the robot has stopped</source>
+        <translation>barvy a písmo se změní, až robot zastaví</translation>
     </message>
     <message>
         <source>not explored: %1</source>
@@ -8734,8 +8734,8 @@ F1</translation>
         <translation>strana</translation>
     </message>
     <message>
-        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
-        <translation>P schodu jen k dalšímu bodu; P verdiktu počítá schody do %1, tedy přes dva body, a kdekoli vpředu</translation>
+        <source>P of a step to the next bin alone. The verdict&apos;s P counts steps over two bins (%1), anywhere ahead</source>
+        <translation>P schodu jen k dalšímu bodu. P verdiktu počítá schody přes dva body (%1), kdekoli vpředu</translation>
     </message>
 </context>
 <context>
@@ -10202,8 +10202,8 @@ F1</translation>
         <translation>Otevřít</translation>
     </message>
     <message>
-        <source>Open another file in a window of its own (Ctrl+O)</source>
-        <translation>Otevřít jiný soubor ve vlastním okně (Ctrl+O)</translation>
+        <source>Open a file in another window (Ctrl+O)</source>
+        <translation>Otevřít soubor v jiném okně (Ctrl+O)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -10627,8 +10627,8 @@ F1</translation>
         <translation>&amp;Otevřít</translation>
     </message>
     <message>
-        <source>Reviews the chosen recording in a window of its own (Enter)</source>
-        <translation>Otevře vybraný záznam k prohlídce ve vlastním okně (Enter)</translation>
+        <source>Reviews the chosen recording in another window (Enter)</source>
+        <translation>Otevře vybraný záznam k prohlídce v jiném okně (Enter)</translation>
     </message>
     <message>
         <source>reading: %1 of %2 recordings</source>
@@ -11029,7 +11029,7 @@ F1</translation>
         <translation>Zapsáno: %1</translation>
     </message>
     <message>
-        <source>“%1” changes nothing: these settings are in force</source>
+        <source>“%1” changes nothing: these settings are active</source>
         <translation>„%1“ nic nemění: tato nastavení už platí</translation>
     </message>
     <message>
@@ -11188,8 +11188,8 @@ F1</translation>
         <translation>Co je na stránce Terén velké</translation>
     </message>
     <message>
-        <source>Alarms may be heard</source>
-        <translation>Alarmy smějí znít</translation>
+        <source>Alarm sound</source>
+        <translation>Zvuk alarmů</translation>
     </message>
     <message>
         <source>Model and robot</source>
@@ -11360,8 +11360,8 @@ F1</translation>
         <translation>Stiskněte znovu: vše se vrátí</translation>
     </message>
     <message>
-        <source>Contacts are heard at</source>
-        <translation>Kontakty jsou slyšet na</translation>
+        <source>Contact tick volume</source>
+        <translation>Hlasitost kontaktů</translation>
     </message>
     <message>
         <source>Ticks while a flipper touches the ground: higher towards the tip, faster with the force</source>
@@ -11384,8 +11384,8 @@ F1</translation>
         <translation>Připojit sběrnici, záznam nebo relaci …</translation>
     </message>
     <message>
-        <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
-        <translation>Co lze připojit, co je špatně a co to spraví (Ctrl+L)</translation>
+        <source>Connections, their faults and repairs (Ctrl+L)</source>
+        <translation>Připojení, jejich chyby a opravy (Ctrl+L)</translation>
     </message>
     <message>
         <source>What the method uses</source>
@@ -12680,8 +12680,8 @@ vpředu</translation>
         <translation>Rozhodnutí ze souboru %1.</translation>
     </message>
     <message>
-        <source>%1. Move this file away to decide anew.</source>
-        <translation>%1. Chcete-li rozhodnout znovu, soubor přesuňte jinam.</translation>
+        <source>%1. Move this file away to start again.</source>
+        <translation>%1. Chcete-li začít znovu, soubor přesuňte jinam.</translation>
     </message>
     <message>
         <source>Saved in %1.</source>

@@ -79,15 +79,15 @@
     </message>
     <message>
         <source>frames still come, heartbeat %1 old</source>
-        <translation>Frames kommen noch, Herzschlag %1 alt</translation>
+        <translation>Rahmen kommen noch, Herzschlag %1 alt</translation>
     </message>
     <message>
         <source>frames still come, status %1 old</source>
-        <translation>Frames kommen noch, Zustand %1 alt</translation>
+        <translation>Rahmen kommen noch, Zustand %1 alt</translation>
     </message>
     <message>
         <source>frames still come</source>
-        <translation>Frames kommen noch</translation>
+        <translation>Rahmen kommen noch</translation>
     </message>
     <message>
         <source>ACTIVE</source>
@@ -334,7 +334,7 @@
     </message>
     <message>
         <source>log</source>
-        <translation>Mitschnitt</translation>
+        <translation>Log</translation>
     </message>
     <message>
         <source>bus</source>
@@ -466,11 +466,11 @@
     </message>
     <message>
         <source>%1 scenes, %2 % with a step above %3; median relief %4</source>
-        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3; mittlerer Höhenunterschied %4</translation>
+        <translation>%1 Szenen, davon %2 % mit einer Stufe über %3; Höhenunterschied im Median %4</translation>
     </message>
     <message>
         <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
-        <translation>%1: mittlerer Fehler %2 mm, das 80-%-Band hält %3 % – %4 Szenen aus %5, %6</translation>
+        <translation>%1: mittlerer Fehler %2 mm, das 80-%-Band enthält %3 % – %4 Szenen aus %5, %6</translation>
     </message>
     <message>
         <source> – the scenes it was trained on</source>
@@ -520,7 +520,7 @@
     </message>
     <message>
         <source>Sessions, logs, scenes, truth files and recordings of other programs (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;All files (*)</source>
-        <translation>Sitzungen, Protokolle, Szenen, Wahrheitsdateien und Aufzeichnungen anderer Programme (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
+        <translation>Sitzungen, Logs, Szenen, Wahrheitsdateien und Aufzeichnungen anderer Programme (*.tts *.log *.asc *.trc *.csv *.gz *.truth *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -942,15 +942,15 @@
     </message>
     <message>
         <source>step limit</source>
-        <translation>Hindernisgrenze</translation>
+        <translation>Stufengrenze</translation>
     </message>
     <message>
         <source>method</source>
-        <translation>Verfahren</translation>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>quality</source>
-        <translation>Qualität</translation>
+        <translation>Güte</translation>
     </message>
     <message>
         <source>time limit of an estimate</source>
@@ -1379,7 +1379,7 @@ Marke K</translation>
     </message>
     <message>
         <source>operator</source>
-        <translation>Operator</translation>
+        <translation>Bediener</translation>
     </message>
     <message>
         <source>exploration</source>
@@ -1403,7 +1403,7 @@ Marke K</translation>
     </message>
     <message>
         <source>override</source>
-        <translation>trotz Zweifel</translation>
+        <translation>Übergehen</translation>
     </message>
     <message>
         <source>alarm</source>
@@ -1502,7 +1502,7 @@ Marke K</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>Settings in force</source>
+        <source>Active settings</source>
         <translation>Geltende Einstellungen</translation>
     </message>
     <message>
@@ -1631,7 +1631,7 @@ Marke K</translation>
     </message>
     <message>
         <source>every hash holds: %1 batches, %2 frames, %3 events</source>
-        <translation>alle Hashes stimmen: %1 Stapel, %2 Rahmen, %3 Ereignisse</translation>
+        <translation>alle Hashes stimmen: %1 Blöcke, %2 Rahmen, %3 Ereignisse</translation>
     </message>
     <message>
         <source>PARTS ARE NOT WHAT WAS RECORDED</source>
@@ -1935,11 +1935,11 @@ Marke K</translation>
     </message>
     <message>
         <source>The operator decided nothing here</source>
-        <translation>Der Operator hat hier nichts entschieden</translation>
+        <translation>Der Bediener hat hier nichts entschieden</translation>
     </message>
     <message>
         <source>The operator</source>
-        <translation>Der Operator</translation>
+        <translation>Der Bediener</translation>
     </message>
     <message>
         <source>Section %1 (%2), %3 to %4 m along the way</source>
@@ -2094,11 +2094,11 @@ Marke K</translation>
     <name>ReviewDifference</name>
     <message>
         <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
-        <translation>B − A: %1 s, Neigung %2, vorn %3, hinten %4, Kräfte %5 N</translation>
+        <translation>B − A: %1 s, Nicken %2, vorn %3, hinten %4, Kräfte %5 N</translation>
     </message>
     <message>
         <source>B − A: %1 s, pitch %2, roll %3, front left %4 right %5, rear left %6 right %7, forces left %8 right %9 N</source>
-        <translation>B − A: %1 s, Neigung %2, Rollen %3, vorn links %4 rechts %5, hinten links %6 rechts %7, Kräfte links %8 rechts %9 N</translation>
+        <translation>B − A: %1 s, Nicken %2, Rollen %3, vorn links %4 rechts %5, hinten links %6 rechts %7, Kräfte links %8 rechts %9 N</translation>
     </message>
 </context>
 <context>
@@ -2152,7 +2152,7 @@ Marke K</translation>
     </message>
     <message>
         <source>CAN frames</source>
-        <translation>CAN-Frames</translation>
+        <translation>CAN-Rahmen</translation>
     </message>
     <message>
         <source>Signals, a column for each</source>
@@ -2168,15 +2168,15 @@ Marke K</translation>
     </message>
     <message>
         <source>Frames, signals, estimates and events</source>
-        <translation>Frames, Signale, Schätzungen und Ereignisse</translation>
+        <translation>Rahmen, Signale, Schätzungen und Ereignisse</translation>
     </message>
     <message>
         <source>Mission report, the whole session</source>
-        <translation>Einsatzbericht, ganze Aufzeichnung</translation>
+        <translation>Einsatzbericht, ganze Sitzung</translation>
     </message>
     <message>
         <source>Strip of felt ground, the whole session</source>
-        <translation>Streifen ertasteten Bodens, ganze Aufzeichnung</translation>
+        <translation>Streifen ertasteten Bodens, ganze Sitzung</translation>
     </message>
 </context>
 <context>
@@ -2311,7 +2311,7 @@ Marke K</translation>
     </message>
     <message>
         <source>telemetry gap</source>
-        <translation>nicht gehört</translation>
+        <translation>Telemetrielücke</translation>
     </message>
     <message>
         <source>override</source>
@@ -2319,7 +2319,7 @@ Marke K</translation>
     </message>
     <message>
         <source>telemetry was missing for a while since the scene</source>
-        <translation>der Roboter war seit der Szene eine Weile nicht zu hören</translation>
+        <translation>seit der Szene fehlte eine Weile die Telemetrie</translation>
     </message>
     <message>
         <source>nothing is overridden</source>
@@ -2389,7 +2389,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>“%1” is no valid %2; expected: %3</source>
-        <translation>„%1“ ist kein gültiges %2; erwartet: %3</translation>
+        <translation>„%1“ ist kein gültiger Wert für %2; erwartet: %3</translation>
     </message>
     <message>
         <source>a number in %1</source>
@@ -2725,7 +2725,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the robot has begun anew</source>
-        <translation>der Roboter hat neu begonnen</translation>
+        <translation>der Roboter ist neu gestartet</translation>
     </message>
     <message>
         <source>may be sent</source>
@@ -2805,7 +2805,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the model of bin %1 m is singular: %2 of its variance was added as noise</source>
-        <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen zugegeben</translation>
+        <translation>das Modell von Feld %1 m ist singulär: %2 seiner Varianz wurde als Rauschen hinzugefügt</translation>
     </message>
     <message>
         <source>following: nothing is explored</source>
@@ -2921,7 +2921,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the robot rolls, left and right ground differ</source>
-        <translation>der Roboter rollt, Boden links und rechts verschieden</translation>
+        <translation>der Rollwinkel ist groß, Boden links und rechts verschieden</translation>
     </message>
     <message>
         <source>the flippers differ, left and right ground differ</source>
@@ -3013,7 +3013,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1: the disk is slow, it has been writing for %2 s; %3 frames wait</source>
-        <translation>%1: der Datenträger ist langsam, er schreibt seit %2 s; %3 Frames warten</translation>
+        <translation>%1: der Datenträger ist langsam, er schreibt seit %2 s; %3 Rahmen warten</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -3132,7 +3132,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Knopf %1 des Pults ist zu lange gedrückt. Er gilt als nicht gedrückt, bis er losgelassen wird. Ist er nicht gedrückt, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
     </message>
     <message>
-        <source>line %1 of %2 is asked for twice</source>
+        <source>line %1 of %2 is requested twice</source>
         <translation>Leitung %1 von %2 wird zweimal verlangt</translation>
     </message>
     <message>
@@ -3305,7 +3305,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>its number of inducing rows is out of range</source>
-        <translation>seine Zahl induzierender Zeilen liegt außerhalb des Bereichs</translation>
+        <translation>seine Zahl der Stützzeilen liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its table length_scale is not in the order of the inputs</source>
@@ -3753,7 +3753,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 has not one weight per inducing row</source>
-        <translation>%1 hat nicht ein Gewicht je induzierender Zeile</translation>
+        <translation>%1 hat nicht ein Gewicht je Stützzeile</translation>
     </message>
     <message>
         <source>%1 is not finite</source>
@@ -4140,12 +4140,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Ende des Logs ist abgerissen</translation>
     </message>
     <message>
-        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it anew as such</source>
-        <translation>ist kein Text in UTF-8 oder der Windows-Codepage 1252: erwartet wird eine DBC-Datei; neu als solche speichern</translation>
+        <source>is no text in UTF-8 or Windows code page 1252: expected a DBC file; save it again as one</source>
+        <translation>ist kein Text in UTF-8 oder der Windows-Codepage 1252: erwartet wird eine DBC-Datei; noch einmal als solche speichern</translation>
     </message>
     <message>
         <source>describes no message: expected lines that begin with BO_; is it a DBC file? First fault: %1</source>
-        <translation>beschreibt keine Botschaft: erwartet werden Zeilen, die mit BO_ beginnen; ist es eine DBC-Datei? Erster Fehler: %1</translation>
+        <translation>beschreibt keine Nachricht: erwartet werden Zeilen, die mit BO_ beginnen; ist es eine DBC-Datei? Erster Fehler: %1</translation>
     </message>
     <message>
         <source>the signal %1 is left out: expected &apos;:&apos; behind its name, or M or a multiplexor&apos;s value such as m1, found %2</source>
@@ -4153,7 +4153,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the message %1 is left out: its identifier %2 is none of CAN; expected at most 2047, or 2147483648 and 29 bits</source>
-        <translation>die Botschaft %1 entfällt: ihre Kennung %2 gibt es auf CAN nicht; erwartet wird höchstens 2047, oder 2147483648 und 29 Bits</translation>
+        <translation>die Nachricht %1 entfällt: ihre Kennung %2 gibt es auf CAN nicht; erwartet wird höchstens 2047, oder 2147483648 und 29 Bits</translation>
     </message>
     <message>
         <source>the signal %1 is left out: it has %2 bits, expected 1 to 64</source>
@@ -4161,7 +4161,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the signal %1 is left out: it does not fit its message %2, it ends with bit %3 of %4</source>
-        <translation>das Signal %1 entfällt: es passt nicht in seine Botschaft %2, es endet mit Bit %3 von %4</translation>
+        <translation>das Signal %1 entfällt: es passt nicht in seine Nachricht %2, es endet mit Bit %3 von %4</translation>
     </message>
     <message>
         <source>the signal %1 is left out: it is no %2 of IEEE 754, it has %3 bits, expected %4</source>
@@ -4173,7 +4173,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>what selects %1 is passed over: its message has no signal %2</source>
-        <translation>was %1 auswählt, wird übergangen: seine Botschaft hat kein Signal %2</translation>
+        <translation>was %1 auswählt, wird übergangen: seine Nachricht hat kein Signal %2</translation>
     </message>
     <message>
         <source>is %1; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of them</source>
@@ -4184,12 +4184,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist %1; erwartet wird ein Log als Text: can_logconvert von python-can macht eines daraus</translation>
     </message>
     <message>
-        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until you allow it on page Settings</source>
-        <translation>%1 Sitzungen mit %2 MB liegen jenseits der eingestellten Grenzen; keine wird gelöscht, bis Sie es auf der Seite Einstellungen erlauben</translation>
+        <source>%1 sessions (%2 MB) exceed your limits. None is deleted until you allow it on page Settings</source>
+        <translation>%1 Sitzungen (%2 MB) überschreiten Ihre Grenzen. Keine wird gelöscht, bis Sie es auf der Seite Einstellungen erlauben</translation>
     </message>
     <message>
         <source>there is no home folder to record in: --sessions names another</source>
-        <translation>es gibt keinen Home-Ordner für die Aufzeichnung: --sessions nennt einen anderen</translation>
+        <translation>es gibt keinen Benutzerordner für die Aufzeichnung: --sessions nennt einen anderen</translation>
     </message>
     <message>
         <source>a text is too long</source>
@@ -4201,7 +4201,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the batches are not in the order of their numbers</source>
-        <translation>die Stapel stehen nicht in der Reihenfolge ihrer Nummern</translation>
+        <translation>die Blöcke stehen nicht in der Reihenfolge ihrer Nummern</translation>
     </message>
     <message>
         <source>the rows of a table are not in the order of their numbers</source>
@@ -4301,7 +4301,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>no frames</source>
-        <translation>keine Frames</translation>
+        <translation>keine Rahmen</translation>
     </message>
     <message>
         <source>no signals</source>
@@ -4453,7 +4453,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>method clearance needs every current and force: local estimates</source>
-        <translation>das Verfahren clearance braucht alle Ströme und Kräfte: local schätzt</translation>
+        <translation>die Methode clearance braucht alle Ströme und Kräfte: local schätzt</translation>
     </message>
     <message>
         <source>the processes use pitch and flipper angles alone</source>
@@ -4461,7 +4461,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
-        <translation>ist länger als %1 Bytes: das ist kein Protokoll von CAN-Frames als Text</translation>
+        <translation>ist länger als %1 Bytes: das ist kein Log von CAN-Rahmen als Text</translation>
     </message>
     <message>
         <source>%1: %2 is not a whole number</source>
@@ -4489,7 +4489,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1: %2 is not the name of a method: %3</source>
-        <translation>%1: %2 ist nicht der Name eines Verfahrens: %3</translation>
+        <translation>%1: %2 ist nicht der Name einer Methode: %3</translation>
     </message>
     <message>
         <source>%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3</source>
@@ -4589,7 +4589,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>it has as many batches as a session can have</source>
-        <translation>sie hat so viele Stapel, wie eine Sitzung haben kann</translation>
+        <translation>sie hat so viele Blöcke, wie eine Sitzung haben kann</translation>
     </message>
     <message>
         <source>recording into it has ended</source>
@@ -4617,7 +4617,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1: %2 names element %3 of that side again, expected one array for each</source>
-        <translation>%1: %2 nennt Element %3 dieser Seite noch einmal, erwartet wird für jedes ein Feld</translation>
+        <translation>%1: %2 nennt Element %3 dieser Seite noch einmal, erwartet wird für jedes ein force_array</translation>
     </message>
     <message>
         <source>%1: %2 is %3, expected at most %4 bytes</source>
@@ -4641,7 +4641,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1: %2 is %3 again, expected a name of its own for each array</source>
-        <translation>%1: %2 ist noch einmal %3, erwartet wird für jedes Feld ein eigener Name</translation>
+        <translation>%1: %2 ist noch einmal %3, erwartet wird für jedes force_array ein eigener Name</translation>
     </message>
     <message>
         <source>%1: %2 is not a number, expected a number from %3 to %4</source>
@@ -4840,8 +4840,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>0 (ganze Zahl), 1 (float) oder 2 (double)</translation>
     </message>
     <message>
-        <source>is no text in UTF-8: its letters are read as Windows code page 1252; where they look wrong, save it as UTF-8</source>
-        <translation>ist kein Text in UTF-8: seine Buchstaben werden nach Windows-Codepage 1252 gelesen; wo sie falsch aussehen, als UTF-8 speichern</translation>
+        <source>is not UTF-8: read as Windows code page 1252; if characters look wrong, save it as UTF-8</source>
+        <translation>ist kein UTF-8: nach Windows-Codepage 1252 gelesen; wenn Zeichen falsch aussehen, als UTF-8 speichern</translation>
     </message>
     <message>
         <source>the byte order, 1 (little-endian) or 0</source>
@@ -4865,15 +4865,15 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the packed log is torn behind it: what came before is read</source>
-        <translation>das gepackte Protokoll ist dahinter abgerissen: gelesen wird, was davor kam</translation>
+        <translation>das gepackte Log ist dahinter abgerissen: gelesen wird, was davor kam</translation>
     </message>
     <message>
         <source>the packed log is torn before its first line</source>
-        <translation>das gepackte Protokoll ist vor seiner ersten Zeile abgerissen</translation>
+        <translation>das gepackte Log ist vor seiner ersten Zeile abgerissen</translation>
     </message>
     <message>
         <source>bytes behind the packed log are not gzip and are left out</source>
-        <translation>hinter dem gepackten Protokoll stehen Bytes, die kein gzip sind; sie sind ausgelassen</translation>
+        <translation>hinter dem gepackten Log stehen Bytes, die kein gzip sind; sie sind ausgelassen</translation>
     </message>
     <message>
         <source>the clock is set %1 more times</source>
@@ -4881,15 +4881,15 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 of %2 times are no later than the one before, from 0 on: is this a log of candump -td, whose times are wrong here? Record with candump -L</source>
-        <translation>%1 von %2 Zeiten sind nicht später als die vorige, ab 0: ist das ein Protokoll von candump -td, dessen Zeiten hier falsch sind? Mit candump -L aufzeichnen</translation>
+        <translation>%1 von %2 Zeiten sind nicht später als die vorige, ab 0: ist das ein Log von candump -td, dessen Zeiten hier falsch sind? Mit candump -L aufzeichnen</translation>
     </message>
     <message>
         <source>line %1 holds no frame and is passed over</source>
-        <translation>Zeile %1 enthält keinen Frame und wird übergangen</translation>
+        <translation>Zeile %1 enthält keinen Rahmen und wird übergangen</translation>
     </message>
     <message>
         <source>%1 lines hold no frame and are passed over, the first is line %2</source>
-        <translation>%1 Zeilen enthalten keinen Frame und werden übergangen, die erste ist Zeile %2</translation>
+        <translation>%1 Zeilen enthalten keinen Rahmen und werden übergangen, die erste ist Zeile %2</translation>
     </message>
     <message>
         <source>%1 s later than the line before: was the clock set? The silence is left out</source>
@@ -4897,7 +4897,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 s earlier than the line before: was the clock set, or is this a log of candump -td?</source>
-        <translation>%1 s früher als die Zeile davor: wurde die Uhr gestellt, oder ist das ein Protokoll von candump -td?</translation>
+        <translation>%1 s früher als die Zeile davor: wurde die Uhr gestellt, oder ist das ein Log von candump -td?</translation>
     </message>
     <message>
         <source>%1 s earlier than the line before: was the clock set?</source>
@@ -4909,11 +4909,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>has no line end and holds no frame: it may be torn</source>
-        <translation>hat kein Zeilenende und keinen Frame: sie ist vielleicht abgerissen</translation>
+        <translation>hat kein Zeilenende und keinen Rahmen: sie ist vielleicht abgerissen</translation>
     </message>
     <message>
         <source>is torn: the log ends within it; what came before is read</source>
-        <translation>ist abgerissen: das Protokoll endet darin; gelesen wird, was davor kam</translation>
+        <translation>ist abgerissen: das Log endet darin; gelesen wird, was davor kam</translation>
     </message>
     <message>
         <source>at most 8 bytes</source>
@@ -4945,7 +4945,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>has lost its time: the log has changed</source>
-        <translation>hat seine Zeit verloren: das Protokoll hat sich geändert</translation>
+        <translation>hat ihre Zeit verloren: das Log hat sich geändert</translation>
     </message>
     <message>
         <source>%1: a replay takes no commands</source>
@@ -4977,11 +4977,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>none of the frames can be written in this format: %1 left out</source>
-        <translation>keiner der Frames kann in diesem Format geschrieben werden: %1 ausgelassen</translation>
+        <translation>keiner der Rahmen kann in diesem Format geschrieben werden: %1 ausgelassen</translation>
     </message>
     <message>
         <source>a log of CAN frames holds nothing else; csv and mcap do</source>
-        <translation>ein Protokoll von CAN-Frames enthält nichts anderes; csv und mcap schon</translation>
+        <translation>ein Log von CAN-Rahmen enthält nichts anderes; csv und mcap schon</translation>
     </message>
     <message>
         <source>not written: ended before it was whole</source>
@@ -5349,7 +5349,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>unpacks to more than %1 times its size: if it is a log, unpack it first (gzip -d)</source>
-        <translation>wird beim Entpacken mehr als %1-mal so groß: wenn es ein Protokoll ist, zuerst entpacken (gzip -d)</translation>
+        <translation>wird beim Entpacken mehr als %1-mal so groß: wenn es ein Log ist, zuerst entpacken (gzip -d)</translation>
     </message>
     <message>
         <source>the window&apos;s picture could not be made: end other programs</source>
@@ -5444,16 +5444,16 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Vorrücken wurde abgelehnt</translation>
     </message>
     <message>
-        <source>the tracks moved less than the advance asked for</source>
+        <source>the tracks moved less than the commanded advance</source>
         <translation>die Ketten fuhren weniger weit als befohlen</translation>
     </message>
     <message>
-        <source>the tracks moved further than the advance asked for</source>
+        <source>the tracks moved further than the commanded advance</source>
         <translation>die Ketten fuhren weiter als befohlen</translation>
     </message>
     <message>
-        <source>it goes on</source>
-        <translation>es geht weiter</translation>
+        <source>running</source>
+        <translation>läuft</translation>
     </message>
     <message>
         <source>the control was let go</source>
@@ -5521,7 +5521,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>pitch or roll is near its limit</source>
-        <translation>Neigung oder Rollwinkel ist nahe der Grenze</translation>
+        <translation>Nick- oder Rollwinkel ist nahe der Grenze</translation>
     </message>
     <message>
         <source>the first felt ground</source>
@@ -5781,11 +5781,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>a CAN XL frame is not read; expected CAN or CAN FD</source>
-        <translation>ein CAN-XL-Frame wird nicht gelesen; erwartet wird CAN oder CAN FD</translation>
+        <translation>ein CAN-XL-Rahmen wird nicht gelesen; erwartet wird CAN oder CAN FD</translation>
     </message>
     <message>
         <source>%1 frames have more bytes than their length says, which are left out; the first is in line %2</source>
-        <translation>%1 Frames haben mehr Bytes, als ihre Länge angibt; diese Bytes sind ausgelassen, zuerst in Zeile %2</translation>
+        <translation>%1 Rahmen haben mehr Bytes, als ihre Länge angibt; diese Bytes sind ausgelassen, zuerst in Zeile %2</translation>
     </message>
     <message>
         <source>the sd of its heights do not fit its training rows</source>
@@ -5805,7 +5805,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>an unknown height is of a bin that does not exist</source>
-        <translation>eine unbekannte Höhe gehört zu einem Bin, den es nicht gibt</translation>
+        <translation>eine unbekannte Höhe gehört zu einem Feld, das es nicht gibt</translation>
     </message>
     <message>
         <source>it has a number for a height that is unknown</source>
@@ -5817,7 +5817,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 scenes have unknown heights: the surfaces learn their known bins, the conditionals leave them out</source>
-        <translation>%1 Szenen haben unbekannte Höhen: die Oberflächen lernen ihre bekannten Bins, die bedingten Modelle lassen sie aus</translation>
+        <translation>%1 Szenen haben unbekannte Höhen: die Flächen lernen ihre bekannten Felder, die bedingten Modelle lassen sie aus</translation>
     </message>
     <message>
         <source>%1 scenes of two tracks left out: a reading or all heights are unknown, or there are more than %2</source>
@@ -5825,7 +5825,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
-        <translation>%1 Szenen zweier Ketten haben unbekannte Höhen: ihre bekannten Bins werden gelernt</translation>
+        <translation>%1 Szenen zweier Ketten haben unbekannte Höhen: ihre bekannten Felder werden gelernt</translation>
     </message>
     <message>
         <source>%1 is %2, expected %3 to %4</source>
@@ -5912,7 +5912,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist abgerissen: hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende: löschen Sie die Zeile</translation>
     </message>
     <message>
-        <source>%1: mend or delete the line</source>
+        <source>%1: correct or delete the line</source>
         <translation>%1: berichtigen oder löschen Sie die Zeile</translation>
     </message>
     <message>
@@ -5936,7 +5936,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Null-Bytes wie nach einem Stromausfall sind ausgelassen, und der Text, den sie abschneiden</translation>
     </message>
     <message>
-        <source>expected %1, found %2: mend or delete the line</source>
+        <source>expected %1, found %2: correct or delete the line</source>
         <translation>erwartet: %1, gefunden: %2: berichtigen oder löschen Sie die Zeile</translation>
     </message>
     <message>
@@ -5992,8 +5992,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Datenträger ist voll: Platz schaffen oder eine Datei auf einem anderen Datenträger nennen</translation>
     </message>
     <message>
-        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and holds no cells of it: write it again by terratact truth --review</source>
-        <translation>Zeile %1: along_m verschiebt die Punktwolke, aber die Wahrheitsdatei stammt von einer früheren Version und enthält keine Zellen davon: mit terratact truth --review neu schreiben</translation>
+        <source>line %1: along_m moves the cloud, but the truth file was written by an earlier version and does not hold its cells: write it again by terratact truth --review</source>
+        <translation>Zeile %1: along_m verschiebt die Punktwolke, aber die Wahrheitsdatei stammt von einer früheren Version und enthält ihre Zellen nicht: mit terratact truth --review neu schreiben</translation>
     </message>
     <message>
         <source>along_m is %1, expected a multiple of %2: the cells of the cloud</source>
@@ -6044,7 +6044,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>hat %1 Bytes, laut Kopf %2: sie ist abgeschnitten, bitte erneut kopieren</translation>
     </message>
     <message>
-        <source>a row lies more than 36 years from the session&apos;s begin, which no reader takes: split the recording, or mend its clock</source>
+        <source>a row is more than 36 years from the session&apos;s begin, which no reader accepts: split the recording, or correct its clock</source>
         <translation>eine Zeile liegt mehr als 36 Jahre vom Beginn der Sitzung entfernt, was kein Leser annimmt: die Aufnahme teilen oder ihre Uhr berichtigen</translation>
     </message>
     <message>
@@ -6093,7 +6093,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the odometry or the pitch is suspected</source>
-        <translation>die Odometrie oder die Längsneigung ist verdächtig</translation>
+        <translation>die Odometrie oder der Nickwinkel ist verdächtig</translation>
     </message>
     <message>
         <source>a training drive is missing</source>
@@ -6105,7 +6105,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the signal %1 is left out: its message %2 has more than %3 signals</source>
-        <translation>das Signal %1 wird ausgelassen: seine Botschaft %2 hat mehr als %3 Signale</translation>
+        <translation>das Signal %1 wird ausgelassen: seine Nachricht %2 hat mehr als %3 Signale</translation>
     </message>
     <message>
         <source>there is no home folder that may hold recordings: name a folder, or set HOME or XDG_STATE_HOME</source>
@@ -6125,7 +6125,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>the message %1 describes up to %2 signals in a frame of %3 bytes: only the first %4 of a frame are read</source>
-        <translation>die Nachricht %1 beschreibt bis zu %2 Signale in einem Frame von %3 Bytes: nur die ersten %4 eines Frames werden gelesen</translation>
+        <translation>die Nachricht %1 beschreibt bis zu %2 Signale in einem Rahmen von %3 Bytes: nur die ersten %4 eines Rahmens werden gelesen</translation>
     </message>
     <message>
         <source>its journal %1 is damaged from byte %2: %3 pages in it are not read</source>
@@ -6145,7 +6145,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>%1 has lost its digits in a spreadsheet: export the log again, and keep this column as text</source>
-        <translation>%1 hat in einer Tabellenkalkulation Ziffern verloren: das Protokoll erneut exportieren und diese Spalte als Text belassen</translation>
+        <translation>%1 hat in einer Tabellenkalkulation Ziffern verloren: das Log erneut exportieren und diese Spalte als Text belassen</translation>
     </message>
     <message>
         <source>a workbook of an office program</source>
@@ -6157,7 +6157,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>is a log of slcan, which is not read: record the bus with candump -l</source>
-        <translation>ist ein Protokoll von slcan, das nicht gelesen wird: den Bus mit candump -l aufzeichnen</translation>
+        <translation>ist ein Log von slcan, das nicht gelesen wird: den Bus mit candump -l aufzeichnen</translation>
     </message>
     <message>
         <source>no text in UTF-8</source>
@@ -6204,7 +6204,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>override</source>
-        <translation>trotz Zweifel</translation>
+        <translation>Übergehen</translation>
     </message>
     <message>
         <source>refuse</source>
@@ -6446,7 +6446,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>Acknowledges the selected alarm</source>
-        <translation>Der gewählte Alarm ist gesehen</translation>
+        <translation>Quittiert den gewählten Alarm</translation>
     </message>
     <message>
         <source>Acknowledge all</source>
@@ -6454,7 +6454,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>Acknowledges all alarms</source>
-        <translation>Alle Alarme sind gesehen</translation>
+        <translation>Quittiert alle Alarme</translation>
     </message>
     <message>
         <source>Mute 60 s</source>
@@ -6502,7 +6502,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>Plays the alarm sound once</source>
-        <translation>Ertönt einmal, wie ein Alarm</translation>
+        <translation>Spielt den Alarmton einmal</translation>
     </message>
     <message>
         <source>✘ Only the desktop&apos;s bell can sound: %1</source>
@@ -6601,7 +6601,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>; no answer in time counts as refused</source>
-        <translation>; keine Antwort in der Zeit, also keine Sondierung</translation>
+        <translation>; ohne Antwort in der Zeit gilt sie als abgelehnt</translation>
     </message>
     <message>
         <source>, arm included</source>
@@ -6632,8 +6632,8 @@ Zuletzt gesperrt: %1</translation>
         <translation>Trotzdem (O)</translation>
     </message>
     <message>
-        <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
-        <translation>Trotz der Zweifel erkunden; es wird vermerkt und bleibt auf dem Schirm</translation>
+        <source>Explores in spite of the doubtful requirement. The override is recorded and stays on the screen</source>
+        <translation>Erkundet trotz der zweifelhaften Voraussetzung. Das Übergehen wird aufgezeichnet und bleibt auf dem Bildschirm</translation>
     </message>
     <message>
         <source>about %1 left</source>
@@ -6709,7 +6709,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>The robot presses again, then the probe is proposed. The arm moves only after your approval</source>
-        <translation>Der Roboter drückt erneut, dann wird der Arm vorgeschlagen; nichts bewegt den Arm, bevor Sie ihn genehmigen</translation>
+        <translation>Der Roboter drückt erneut an, dann wird die Sondierung vorgeschlagen. Der Arm bewegt sich erst nach Ihrer Genehmigung</translation>
     </message>
     <message>
         <source>Hides the result; Ctrl+Z restores it</source>
@@ -6728,7 +6728,7 @@ Zuletzt gesperrt: %1</translation>
     <name>terratact::BinInspector</name>
     <message>
         <source>Selected bin</source>
-        <translation>Das Feld aus der Nähe</translation>
+        <translation>Gewähltes Feld</translation>
     </message>
 </context>
 <context>
@@ -6746,8 +6746,8 @@ Zuletzt gesperrt: %1</translation>
         <translation>kann nicht benutzt werden, siehe unten</translation>
     </message>
     <message>
-        <source>mends it: %1</source>
-        <translation>das behebt es: %1</translation>
+        <source>repair: %1</source>
+        <translation>Abhilfe: %1</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -6794,16 +6794,16 @@ Zuletzt gesperrt: %1</translation>
         <translation>CAN-Bus %1 — %2</translation>
     </message>
     <message>
-        <source>Log to replay, in a window of its own</source>
-        <translation>Log zum Abspielen, in einem eigenen Fenster</translation>
+        <source>Log to replay, in another window</source>
+        <translation>Log zum Abspielen, in einem anderen Fenster</translation>
     </message>
     <message>
-        <source>Session to review, in a window of its own</source>
-        <translation>Sitzung zum Ansehen, in einem eigenen Fenster</translation>
+        <source>Session to review, in another window</source>
+        <translation>Sitzung zum Ansehen, in einem anderen Fenster</translation>
     </message>
     <message>
-        <source>This interface cannot be used: mend it first, then look again</source>
-        <translation>Diese Schnittstelle kann nicht benutzt werden: erst beheben, dann neu prüfen</translation>
+        <source>This interface cannot be used: repair it first, then look again</source>
+        <translation>Diese Schnittstelle kann nicht benutzt werden: erst den Fehler beheben, dann neu prüfen</translation>
     </message>
     <message>
         <source>✔ Needs no hardware. Its ground is the one that the console was started with</source>
@@ -6826,8 +6826,8 @@ Zuletzt gesperrt: %1</translation>
         <translation>Sitzung wählen …</translation>
     </message>
     <message>
-        <source>Opens the console anew with it (Return)</source>
-        <translation>Öffnet die Konsole damit neu (Return)</translation>
+        <source>Restarts the console with it (Return)</source>
+        <translation>Startet die Konsole damit neu (Return)</translation>
     </message>
     <message>
         <source>Session to review</source>
@@ -6863,7 +6863,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>Logs and recordings of other programs (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;All files (*)</source>
-        <translation>Protokolle und Aufzeichnungen anderer Programme (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
+        <translation>Logs und Aufzeichnungen anderer Programme (*.log *.asc *.trc *.csv *.gz *.mcap *.bag *.db3);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Recordings of this console (.tts)</source>
@@ -6989,7 +6989,7 @@ Zuletzt gesperrt: %1</translation>
     </message>
     <message>
         <source>Sends STOP through the console that opened this window</source>
-        <translation>STOP der Konsole, die dieses Fenster geöffnet hat</translation>
+        <translation>Sendet STOP über die Konsole, die dieses Fenster geöffnet hat</translation>
     </message>
     <message>
         <source>SAFE MODE: default settings; none are read or saved · start without --safe-mode to leave it</source>
@@ -7137,7 +7137,7 @@ F1</translation>
     </message>
     <message>
         <source>Copies this page, for a report</source>
-        <translation>Die ganze Seite, für einen Bericht</translation>
+        <translation>Kopiert diese Seite, für einen Bericht</translation>
     </message>
     <message>
         <source>Now</source>
@@ -7213,7 +7213,7 @@ F1</translation>
     </message>
     <message>
         <source>%1 · edges %2 · presses %3</source>
-        <translation>%1 · Flanken %2 · Drücke %3</translation>
+        <translation>%1 · Flanken %2 · Betätigungen %3</translation>
     </message>
     <message>
         <source>newest %1 · worst %2 of %3</source>
@@ -7292,7 +7292,7 @@ F1</translation>
     </message>
     <message>
         <source>Dead-man key: drives while held; also the arrow keys Up and Down</source>
-        <translation>Fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
+        <translation>Totmanntaste: fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
     </message>
     <message>
         <source>Hold to feel forward</source>
@@ -7300,7 +7300,7 @@ F1</translation>
     </message>
     <message>
         <source>Dead-man key: while held, the robot presses, estimates and advances, as long as the verdict is CLEAR</source>
-        <translation>Solange gehalten, drückt der Roboter an, schätzt und rückt vor, wenn das Urteil FREI ist</translation>
+        <translation>Totmanntaste: solange gehalten, drückt der Roboter an, schätzt und rückt vor, wenn das Urteil FREI ist</translation>
     </message>
     <message>
         <source>hold: feel (F)</source>
@@ -7374,8 +7374,8 @@ F1</translation>
         <translation>Entlang der Ketten, über die letzten 0,3 s</translation>
     </message>
     <message>
-        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground, &quot;none&quot; where nothing ahead is felt</source>
-        <translation>Der Boden ist bis hier ertastet, vorwärts ab der IMU, auf beiden Seiten; „!“, wo die Ketten ertasteten Boden verlassen, „nichts“, wo voraus nichts ertastet ist</translation>
+        <source>The ground is felt up to here, forward from the IMU, on both sides. &quot;!&quot;: the tracks are about to leave felt ground. &quot;none&quot;: nothing ahead is felt</source>
+        <translation>Der Boden ist bis hier ertastet, vorwärts ab der IMU, auf beiden Seiten. „!“: die Ketten verlassen gleich ertasteten Boden. „nichts“: voraus ist nichts ertastet</translation>
     </message>
     <message>
         <source>none</source>
@@ -7389,8 +7389,8 @@ F1</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Reasons to doubt the result</source>
-        <translation>Was das Ergebnis zweifelhaft macht</translation>
+        <source>Warnings about the result</source>
+        <translation>Warnungen zum Ergebnis</translation>
     </message>
     <message>
         <source>Progress of the estimate</source>
@@ -7512,8 +7512,8 @@ F1</translation>
         <translation>der Weg beginnt hier</translation>
     </message>
     <message>
-        <source>memory begins anew: %1</source>
-        <translation>das Gedächtnis beginnt neu: %1</translation>
+        <source>memory cleared: %1</source>
+        <translation>Gedächtnis gelöscht: %1</translation>
     </message>
     <message>
         <source>the model has no networks for it</source>
@@ -7525,7 +7525,7 @@ F1</translation>
     </message>
     <message>
         <source>memory: %1 m · earlier presses: %2</source>
-        <translation>Gedächtnis: %1 m · frühere Drücke: %2</translation>
+        <translation>Gedächtnis: %1 m · früher angedrückt: %2</translation>
     </message>
     <message>
         <source>bands held: %1 of %2</source>
@@ -7686,8 +7686,8 @@ F1</translation>
         <translation>eine Erkundung läuft</translation>
     </message>
     <message>
-        <source>no probe is asked for: %1</source>
-        <translation>es wird nicht nach einer Sondierung gefragt: %1</translation>
+        <source>no probe requested: %1</source>
+        <translation>keine Sondierung angefordert: %1</translation>
     </message>
     <message>
         <source>the estimate is hidden: Ctrl+Z restores it</source>
@@ -7711,7 +7711,7 @@ F1</translation>
     </message>
     <message>
         <source>the robot reports driving, but its tracks do not move</source>
-        <translation>der Roboter meldet, dass er fährt, und seine Ketten bewegen sich nicht</translation>
+        <translation>der Roboter meldet, dass er fährt, aber seine Ketten bewegen sich nicht</translation>
     </message>
     <message>
         <source>probe proposed %1</source>
@@ -7726,8 +7726,8 @@ F1</translation>
         <translation>eine Sondierung %1 ist gewünscht: der Roboter drückt erneut, dann wird gefragt</translation>
     </message>
     <message>
-        <source>probe asked for %1 instead</source>
-        <translation>stattdessen Sondierung %1 verlangt</translation>
+        <source>probe %1 requested instead</source>
+        <translation>stattdessen Sondierung %1 angefordert</translation>
     </message>
     <message>
         <source>the arm does not reach the ground %1</source>
@@ -7823,8 +7823,8 @@ F1</translation>
 <context>
     <name>terratact::GamepadControl</name>
     <message>
-        <source>the gamepad is lost: everything that it held is let go</source>
-        <translation>das Gamepad ist verloren: alles, was es hielt, ist losgelassen</translation>
+        <source>gamepad lost: all its controls are released</source>
+        <translation>Gamepad verloren: alle seine Bedienelemente sind losgelassen</translation>
     </message>
     <message>
         <source>STOP pressed on the gamepad</source>
@@ -8018,7 +8018,7 @@ F1</translation>
     </message>
     <message>
         <source>The picture shows the estimate of %1, not the present one. Backspace: the present</source>
-        <translation>Das Bild zeigt die Schätzung von %1, nicht die jetzige. Backspace: die jetzige</translation>
+        <translation>Das Bild zeigt die Schätzung von %1, nicht die jetzige. Rücktaste: die jetzige</translation>
     </message>
     <message>
         <source>past: estimate of %1</source>
@@ -8041,11 +8041,11 @@ F1</translation>
     <name>terratact::HistoryWindow</name>
     <message>
         <source>Present estimate (Backspace)</source>
-        <translation>Jetzige Schätzung (Backspace)</translation>
+        <translation>Jetzige Schätzung (Rücktaste)</translation>
     </message>
     <message>
         <source>Restore (Ctrl+Z)</source>
-        <translation>Zurückholen (Ctrl+Z)</translation>
+        <translation>Zurückholen (Strg+Z)</translation>
     </message>
     <message>
         <source>Estimates of this run</source>
@@ -8199,10 +8199,10 @@ F1</translation>
         <translation>Nichts ist zweifelhaft.</translation>
     </message>
     <message numerus="yes">
-        <source>%n doubt(s), see below.</source>
+        <source>%n warning(s), see below.</source>
         <translation>
-            <numerusform>%n Zweifel, siehe unten.</numerusform>
-            <numerusform>%n Zweifel, siehe unten.</numerusform>
+            <numerusform>%n Warnung, siehe unten.</numerusform>
+            <numerusform>%n Warnungen, siehe unten.</numerusform>
         </translation>
     </message>
     <message>
@@ -8349,7 +8349,7 @@ F1</translation>
     </message>
     <message>
         <source>raise the step limit</source>
-        <translation>Hindernisgrenze anheben</translation>
+        <translation>Stufengrenze anheben</translation>
     </message>
     <message>
         <source>lower it</source>
@@ -8365,7 +8365,7 @@ F1</translation>
     </message>
     <message>
         <source>Active alarms, and past alarms not yet acknowledged</source>
-        <translation>Was nicht stimmt, und was war und nicht gesehen wurde</translation>
+        <translation>Anstehende Alarme und vergangene, die noch nicht quittiert sind</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -8412,8 +8412,8 @@ F1</translation>
         <translation>Der Roboter ist freigegeben: erst sperren (M)</translation>
     </message>
     <message>
-        <source>explore in spite of a doubt (override)</source>
-        <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
+        <source>explore in spite of a doubtful requirement (override)</source>
+        <translation>trotz einer zweifelhaften Voraussetzung erkunden (übergehen)</translation>
     </message>
     <message>
         <source>marked in the recording</source>
@@ -8429,7 +8429,7 @@ F1</translation>
     </message>
     <message>
         <source>Review a session, a log or scenes in a separate window (Ctrl+O)</source>
-        <translation>Eine Sitzung, ein Log oder Szenen in einem eigenen Fenster ansehen; dieses läuft weiter (Ctrl+O)</translation>
+        <translation>Eine Sitzung, ein Log oder Szenen in einem eigenen Fenster ansehen; dieses läuft weiter (Strg+O)</translation>
     </message>
     <message>
         <source>open a session, a log or scenes in another window</source>
@@ -8441,7 +8441,7 @@ F1</translation>
     </message>
     <message>
         <source>restarts the console</source>
-        <translation>öffnet die Konsole neu</translation>
+        <translation>startet die Konsole neu</translation>
     </message>
     <message>
         <source>not marked: nothing is recorded</source>
@@ -8505,7 +8505,7 @@ F1</translation>
     </message>
     <message>
         <source>In a review, these keys move in time and no robot: A, B, F, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
-        <translation>In einer Durchsicht bewegen diese Tasten die Zeit und keinen Roboter: A, B, F, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
+        <translation>In einer Rückschau bewegen diese Tasten die Zeit und keinen Roboter: A, B, F, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
     </message>
     <message>
         <source>feel forward: press, estimate and advance while CLEAR</source>
@@ -8552,8 +8552,8 @@ F1</translation>
         <translation>wieder die jetzige Schätzung im Bild zeigen</translation>
     </message>
     <message>
-        <source>no probe is asked for: the picture shows an estimate of the past</source>
-        <translation>keine Sondierung verlangt: das Bild zeigt eine frühere Schätzung</translation>
+        <source>no probe requested: the picture shows an earlier estimate</source>
+        <translation>keine Sondierung angefordert: das Bild zeigt eine frühere Schätzung</translation>
     </message>
     <message>
         <source>connect to a bus, the simulated robot, a log or a session</source>
@@ -8569,7 +8569,7 @@ F1</translation>
     </message>
     <message>
         <source>Second window, view only (Ctrl+D)</source>
-        <translation>Zweites Fenster, nur Anzeige (Ctrl+D)</translation>
+        <translation>Zweites Fenster, nur Anzeige (Strg+D)</translation>
     </message>
     <message>
         <source>Snapshot with a note (C)</source>
@@ -8581,7 +8581,7 @@ F1</translation>
     </message>
     <message>
         <source>snapshot %1, beside the session</source>
-        <translation>Schnappschuss %1, neben der Aufzeichnung</translation>
+        <translation>Schnappschuss %1, neben der Sitzung</translation>
     </message>
     <message>
         <source>no session records; the snapshot is in %1</source>
@@ -8608,8 +8608,8 @@ F1</translation>
         <translation>nicht freigegeben: %1</translation>
     </message>
     <message>
-        <source>colours and letters change once the robot stands still</source>
-        <translation>Farben und Schriftgröße ändern sich, sobald der Roboter steht</translation>
+        <source>colours and font change once the robot has stopped</source>
+        <translation>Farben und Schrift ändern sich, sobald der Roboter angehalten hat</translation>
     </message>
     <message>
         <source>not explored: %1</source>
@@ -8631,11 +8631,11 @@ F1</translation>
     </message>
     <message>
         <source>Copy (Ctrl+C)</source>
-        <translation>Kopieren (Ctrl+C)</translation>
+        <translation>Kopieren (Strg+C)</translation>
     </message>
     <message>
         <source>Copies the whole table, columns separated by tabs</source>
-        <translation>Die ganze Tabelle, Spalten durch Tabulatoren getrennt</translation>
+        <translation>Kopiert die ganze Tabelle, Spalten durch Tabulatoren getrennt</translation>
     </message>
     <message>
         <source>Estimate</source>
@@ -8647,7 +8647,7 @@ F1</translation>
     </message>
     <message>
         <source>last telemetry %1 ago</source>
-        <translation>zuletzt gehört vor %1</translation>
+        <translation>letzte Telemetrie vor %1</translation>
     </message>
     <message>
         <source>copy the numbers, on their page</source>
@@ -8733,8 +8733,8 @@ F1</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>P of a step to the next bin alone; the verdict&apos;s P counts steps within %1, which is over two bins, and anywhere ahead</source>
-        <translation>P einer Stufe nur zum nächsten Feld; das P des Urteils zählt Stufen innerhalb von %1, also über zwei Felder, und irgendwo voraus</translation>
+        <source>P of a step to the next bin alone. The verdict&apos;s P counts steps over two bins (%1), anywhere ahead</source>
+        <translation>P einer Stufe nur zum nächsten Feld. Das P des Urteils zählt Stufen über zwei Felder (%1), irgendwo voraus</translation>
     </message>
 </context>
 <context>
@@ -9205,7 +9205,7 @@ F1</translation>
     </message>
     <message>
         <source>Refuses the probe; the estimate stays as it is</source>
-        <translation>Lehnt den Arm ab; so gut wie jede andere Antwort</translation>
+        <translation>Lehnt die Sondierung ab; die Schätzung bleibt, wie sie ist</translation>
     </message>
     <message>
         <source>step &gt; %1</source>
@@ -9225,7 +9225,7 @@ F1</translation>
     </message>
     <message>
         <source>Expected gain of the probe</source>
-        <translation>Was die Sonde bringen soll</translation>
+        <translation>Erwarteter Gewinn der Sondierung</translation>
     </message>
     <message>
         <source>Do not probe (N)</source>
@@ -9277,7 +9277,7 @@ F1</translation>
     </message>
     <message>
         <source>Already %1; a probe only refines the profile.</source>
-        <translation>%1 steht: nur die Form gewänne.</translation>
+        <translation>%1 steht: nur das Profil gewänne.</translation>
     </message>
     <message>
         <source>%1 → %2 bit: %3/min</source>
@@ -9348,11 +9348,11 @@ F1</translation>
     </message>
     <message>
         <source>Estimates of this run … (Ctrl+H)</source>
-        <translation>Schätzungen dieses Laufs … (Ctrl+H)</translation>
+        <translation>Schätzungen dieses Laufs … (Strg+H)</translation>
     </message>
     <message>
         <source>Restore the hidden estimate (Ctrl+Z)</source>
-        <translation>Ausgeblendete Schätzung zurückholen (Ctrl+Z)</translation>
+        <translation>Ausgeblendete Schätzung zurückholen (Strg+Z)</translation>
     </message>
 </context>
 <context>
@@ -9390,7 +9390,7 @@ F1</translation>
     <message>
         <source>E</source>
         <comment>letter of a mark</comment>
-        <translation>B</translation>
+        <translation>E</translation>
     </message>
     <message>
         <source>S</source>
@@ -9522,7 +9522,7 @@ F1</translation>
     </message>
     <message>
         <source>cross slope %1</source>
-        <translation>Querneigung %1</translation>
+        <translation>Quergefälle %1</translation>
     </message>
 </context>
 <context>
@@ -9564,7 +9564,7 @@ F1</translation>
     </message>
     <message>
         <source>Steps back in the log (Ctrl+Left)</source>
-        <translation>Geht im Protokoll zurück (Strg+Links)</translation>
+        <translation>Geht im Log zurück (Strg+Links)</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -9572,7 +9572,7 @@ F1</translation>
     </message>
     <message>
         <source>Pauses or continues the log (Ctrl+Space)</source>
-        <translation>Hält das Protokoll an, oder lässt es weiterlaufen (Strg+Leertaste)</translation>
+        <translation>Hält das Log an, oder lässt es weiterlaufen (Strg+Leertaste)</translation>
     </message>
     <message>
         <source>%1 s ▶</source>
@@ -9580,7 +9580,7 @@ F1</translation>
     </message>
     <message>
         <source>Steps forward in the log (Ctrl+Right)</source>
-        <translation>Geht im Protokoll weiter (Strg+Rechts)</translation>
+        <translation>Geht im Log weiter (Strg+Rechts)</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9588,27 +9588,27 @@ F1</translation>
     </message>
     <message>
         <source>Repeats the log from its end (Ctrl+R)</source>
-        <translation>Beginnt am Ende des Protokolls von vorn (Strg+R)</translation>
+        <translation>Beginnt am Ende des Logs von vorn (Strg+R)</translation>
     </message>
     <message>
         <source>How far the log is</source>
-        <translation>Wie weit das Protokoll ist</translation>
+        <translation>Wie weit das Log ist</translation>
     </message>
     <message>
         <source>pause or continue the log</source>
-        <translation>das Protokoll anhalten, oder weiterlaufen lassen</translation>
+        <translation>das Log anhalten, oder weiterlaufen lassen</translation>
     </message>
     <message>
         <source>back in the log</source>
-        <translation>zurück im Protokoll</translation>
+        <translation>zurück im Log</translation>
     </message>
     <message>
         <source>forward in the log</source>
-        <translation>weiter im Protokoll</translation>
+        <translation>weiter im Log</translation>
     </message>
     <message>
         <source>repeat the log, on or off</source>
-        <translation>am Ende des Protokolls von vorn beginnen, oder nicht</translation>
+        <translation>am Ende des Logs von vorn beginnen, oder nicht</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -9710,7 +9710,7 @@ F1</translation>
     </message>
     <message>
         <source>Part of the session to export</source>
-        <translation>Was von der Sitzung eine Datei werden soll</translation>
+        <translation>Zu exportierender Teil der Sitzung</translation>
     </message>
     <message>
         <source>Format</source>
@@ -9718,7 +9718,7 @@ F1</translation>
     </message>
     <message>
         <source>Which programs can read it</source>
-        <translation>Welche Programme sie lesen</translation>
+        <translation>Welche Programme sie lesen können</translation>
     </message>
     <message>
         <source>Of</source>
@@ -9810,7 +9810,7 @@ F1</translation>
     </message>
     <message>
         <source>frames left out because the format cannot hold them: %1</source>
-        <translation>ausgelassene Frames, die das Format nicht fasst: %1</translation>
+        <translation>ausgelassene Rahmen, die das Format nicht fasst: %1</translation>
     </message>
     <message>
         <source>damaged and left out, places: %1</source>
@@ -9834,7 +9834,7 @@ F1</translation>
     </message>
     <message>
         <source>The whole session</source>
-        <translation>Alles, was die Sitzung enthält</translation>
+        <translation>Die ganze Sitzung</translation>
     </message>
     <message>
         <source>Nothing is being written</source>
@@ -9866,7 +9866,7 @@ F1</translation>
     </message>
     <message>
         <source>the whole session, %1</source>
-        <translation>die ganze Aufzeichnung, %1</translation>
+        <translation>die ganze Sitzung, %1</translation>
     </message>
 </context>
 <context>
@@ -9900,7 +9900,7 @@ F1</translation>
     </message>
     <message>
         <source>To the beginning (Home)</source>
-        <translation>Zum Anfang (Home)</translation>
+        <translation>Zum Anfang (Pos1)</translation>
     </message>
     <message>
         <source>Previous frame</source>
@@ -9940,7 +9940,7 @@ F1</translation>
     </message>
     <message>
         <source>To the end (End)</source>
-        <translation>Zum Ende (End)</translation>
+        <translation>Zum Ende (Ende)</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -10135,7 +10135,7 @@ F1</translation>
     </message>
     <message>
         <source>No other device had sent a frame in the %1 s before this time</source>
-        <translation>Kein anderes Gerät hatte in den %1 s vor dieser Zeit ein CAN-Frame gesendet</translation>
+        <translation>Kein anderes Gerät hatte in den %1 s vor dieser Zeit einen Rahmen gesendet</translation>
     </message>
     <message>
         <source>The newest values of the %1 s before this time; minimum and maximum are of those seconds</source>
@@ -10201,8 +10201,8 @@ F1</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Open another file in a window of its own (Ctrl+O)</source>
-        <translation>Eine andere Datei in einem eigenen Fenster öffnen (Ctrl+O)</translation>
+        <source>Open a file in another window (Ctrl+O)</source>
+        <translation>Eine Datei in einem anderen Fenster öffnen (Strg+O)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -10282,7 +10282,7 @@ F1</translation>
     </message>
     <message>
         <source>Exports the visible part or the whole session to a file (Ctrl+E)</source>
-        <translation>Gezeigtes oder den Inhalt der Sitzung in eine Datei schreiben (Ctrl+E)</translation>
+        <translation>Exportiert den sichtbaren Teil oder die ganze Sitzung in eine Datei (Strg+E)</translation>
     </message>
     <message>
         <source>export to a file</source>
@@ -10615,7 +10615,7 @@ F1</translation>
     </message>
     <message>
         <source>Asks for a session, a log or scenes anywhere</source>
-        <translation>Fragt nach einer Sitzung, einem Protokoll oder Szenen an beliebigem Ort</translation>
+        <translation>Fragt nach einer Sitzung, einem Log oder Szenen an beliebigem Ort</translation>
     </message>
     <message>
         <source>Close</source>
@@ -10626,8 +10626,8 @@ F1</translation>
         <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
-        <source>Reviews the chosen recording in a window of its own (Enter)</source>
-        <translation>Öffnet die gewählte Aufzeichnung zur Durchsicht in einem eigenen Fenster (Enter)</translation>
+        <source>Reviews the chosen recording in another window (Enter)</source>
+        <translation>Öffnet die gewählte Aufzeichnung zur Durchsicht in einem anderen Fenster (Enter)</translation>
     </message>
     <message>
         <source>reading: %1 of %2 recordings</source>
@@ -11028,7 +11028,7 @@ F1</translation>
         <translation>Geschrieben: %1</translation>
     </message>
     <message>
-        <source>“%1” changes nothing: these settings are in force</source>
+        <source>“%1” changes nothing: these settings are active</source>
         <translation>„%1“ ändert nichts: diese Einstellungen gelten schon</translation>
     </message>
     <message>
@@ -11080,7 +11080,7 @@ F1</translation>
     </message>
     <message>
         <source>Resets this page, the model and the robot to their defaults</source>
-        <translation>Alles auf dieser Seite, dazu das mitgelieferte Modell und der Roboter</translation>
+        <translation>Setzt diese Seite, das Modell und den Roboter auf den Standard zurück</translation>
     </message>
     <message>
         <source>Method</source>
@@ -11096,7 +11096,7 @@ F1</translation>
     </message>
     <message>
         <source>Step height that the verdict asks about (PgUp, PgDown)</source>
-        <translation>Die Frage des Urteils (PgUp, PgDown)</translation>
+        <translation>Stufenhöhe, nach der das Urteil fragt (Bild auf, Bild ab)</translation>
     </message>
     <message>
         <source>An element counts as contact above</source>
@@ -11156,7 +11156,7 @@ F1</translation>
     </message>
     <message>
         <source>Ctrl + and Ctrl −</source>
-        <translation>Ctrl + und Ctrl −</translation>
+        <translation>Strg + und Strg −</translation>
     </message>
     <message>
         <source>Language</source>
@@ -11187,8 +11187,8 @@ F1</translation>
         <translation>Was die Seite Gelände groß zeigt</translation>
     </message>
     <message>
-        <source>Alarms may be heard</source>
-        <translation>Alarme dürfen ertönen</translation>
+        <source>Alarm sound</source>
+        <translation>Alarmton</translation>
     </message>
     <message>
         <source>Model and robot</source>
@@ -11272,7 +11272,7 @@ F1</translation>
     </message>
     <message>
         <source>Restarts the console</source>
-        <translation>Öffnet die Konsole neu</translation>
+        <translation>Startet die Konsole neu</translation>
     </message>
     <message>
         <source>An estimate may take at most</source>
@@ -11284,7 +11284,7 @@ F1</translation>
     </message>
     <message>
         <source>Sampling then ends with fewer draws, and the result says so</source>
-        <translation>Dann endet das Ziehen mit dem, was da ist, und das Ergebnis sagt es</translation>
+        <translation>Das Ziehen endet dann mit weniger Ziehungen, und das Ergebnis sagt es</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -11296,11 +11296,11 @@ F1</translation>
     </message>
     <message>
         <source>Back to the shipped file</source>
-        <translation>Zurück zu dem, was mit dem Programm kam</translation>
+        <translation>Zurück zur mitgelieferten Datei</translation>
     </message>
     <message>
         <source>The shipped files are in use already</source>
-        <translation>Was mit dem Programm kam, ist schon in Gebrauch</translation>
+        <translation>Die mitgelieferten Dateien sind schon in Gebrauch</translation>
     </message>
     <message>
         <source>The arm is offered</source>
@@ -11324,11 +11324,11 @@ F1</translation>
     </message>
     <message>
         <source>Applies ten seconds after the change. Never: nothing is deleted</source>
-        <translation>Sobald der Wert zehn Sekunden steht; nie: nichts wird gelöscht</translation>
+        <translation>Gilt zehn Sekunden nach der Änderung. Nie: nichts wird gelöscht</translation>
     </message>
     <message>
         <source>For all closed sessions together; applies ten seconds after the change</source>
-        <translation>Aller geschlossenen Sitzungen zusammen, sobald es zehn Sekunden gilt</translation>
+        <translation>Für alle geschlossenen Sitzungen zusammen; gilt zehn Sekunden nach der Änderung</translation>
     </message>
     <message>
         <source>Sessions beyond these limits may be deleted</source>
@@ -11344,7 +11344,7 @@ F1</translation>
     </message>
     <message>
         <source>Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers&apos; reach; lower rates accept ground that the flippers span</source>
-        <translation>Abgründe und Wände. Ab 5 % braucht FREI jedes Feld ertastet, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
+        <translation>Abgründe und Wände. Ab 5 % muss für FREI jedes Feld ertastet sein, so weit die vorderen Flipper reichen; niedrigere Werte lassen Boden gelten, den die Flipper überspannen</translation>
     </message>
     <message>
         <source>Pitch or roll is steep from</source>
@@ -11359,8 +11359,8 @@ F1</translation>
         <translation>Nochmals drücken: alles zurück</translation>
     </message>
     <message>
-        <source>Contacts are heard at</source>
-        <translation>Kontakte sind zu hören mit</translation>
+        <source>Contact tick volume</source>
+        <translation>Lautstärke der Kontakttöne</translation>
     </message>
     <message>
         <source>Ticks while a flipper touches the ground: higher towards the tip, faster with the force</source>
@@ -11376,15 +11376,15 @@ F1</translation>
     </message>
     <message>
         <source>All settings as named profiles or as one file (Ctrl+,)</source>
-        <translation>Alle Einstellungen als benannte Profile oder als eine Datei (Ctrl+,)</translation>
+        <translation>Alle Einstellungen als benannte Profile oder als eine Datei (Strg+,)</translation>
     </message>
     <message>
         <source>Connect to a bus, log or session …</source>
         <translation>Bus, Log oder Sitzung verbinden …</translation>
     </message>
     <message>
-        <source>What can be connected, what is wrong and what mends it (Ctrl+L)</source>
-        <translation>Was verbunden werden kann, was nicht stimmt und was es behebt (Ctrl+L)</translation>
+        <source>Connections, their faults and repairs (Ctrl+L)</source>
+        <translation>Verbindungen, ihre Fehler und Abhilfen (Strg+L)</translation>
     </message>
     <message>
         <source>What the method uses</source>
@@ -11392,7 +11392,7 @@ F1</translation>
     </message>
     <message>
         <source>Rate of hazards per %1 of ground that is not felt</source>
-        <translation>Häufigkeit von Gefahren auf %1, die nichts ertastet hat</translation>
+        <translation>Häufigkeit von Gefahren je %1 nicht ertasteten Bodens</translation>
     </message>
     <message>
         <source>Amber alarm; at the latest %1 before the robot tips over</source>
@@ -11576,7 +11576,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Faults of the DBC files</source>
-        <translation>Was mit den DBC-Dateien nicht stimmt</translation>
+        <translation>Fehler der DBC-Dateien</translation>
     </message>
     <message>
         <source>Add DBC file …</source>
@@ -11584,7 +11584,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Adds a DBC file that describes frames of other devices</source>
-        <translation>Eine Datei, die sagt, was Rahmen bedeuten, die nicht vom Roboter sind</translation>
+        <translation>Fügt eine DBC-Datei hinzu, die Rahmen anderer Geräte beschreibt</translation>
     </message>
     <message>
         <source>Remove DBC file</source>
@@ -11596,7 +11596,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Counts restart with the next frames</source>
-        <translation>Sie beginnen neu mit den nächsten Rahmen</translation>
+        <translation>Die Zählung beginnt neu mit den nächsten Rahmen</translation>
     </message>
     <message>
         <source>%1 (frames: %2)</source>
@@ -11693,7 +11693,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Active alarms, and past alarms not yet acknowledged (F4)</source>
-        <translation>Was nicht stimmt, und was war und nicht gesehen wurde (F4)</translation>
+        <translation>Anstehende Alarme und vergangene, die noch nicht quittiert sind (F4)</translation>
     </message>
     <message>
         <source>no alarms</source>
@@ -11753,7 +11753,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Details: F5</source>
-        <translation>Alles: F5</translation>
+        <translation>Details: F5</translation>
     </message>
     <message>
         <source>Halts the robot of the console that opened this window</source>
@@ -12050,7 +12050,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>not live: no telemetry from the robot</source>
-        <translation>nicht aktuell: vom Roboter ist nichts zu hören</translation>
+        <translation>nicht aktuell: keine Telemetrie vom Roboter</translation>
     </message>
     <message>
         <source>arm tip: probe?</source>
@@ -12129,7 +12129,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>Copies everything, for a report</source>
-        <translation>Alles, für einen Bericht</translation>
+        <translation>Kopiert alles, für einen Bericht</translation>
     </message>
     <message>
         <source>Close (Esc)</source>
@@ -12679,8 +12679,8 @@ voraus</translation>
         <translation>Entscheidungen aus %1.</translation>
     </message>
     <message>
-        <source>%1. Move this file away to decide anew.</source>
-        <translation>%1. Diese Datei wegbewegen, um neu zu entscheiden.</translation>
+        <source>%1. Move this file away to start again.</source>
+        <translation>%1. Diese Datei verschieben, um neu zu beginnen.</translation>
     </message>
     <message>
         <source>Saved in %1.</source>
@@ -12956,7 +12956,7 @@ voraus</translation>
     </message>
     <message>
         <source>Lowers the step limit (PgDown)</source>
-        <translation>Auch eine niedrigere Stufe gilt als Hindernis (PgDown)</translation>
+        <translation>Auch eine niedrigere Stufe gilt als Hindernis (Bild ab)</translation>
     </message>
     <message>
         <source>Raise the limit</source>
@@ -12964,7 +12964,7 @@ voraus</translation>
     </message>
     <message>
         <source>Raises the step limit (PgUp)</source>
-        <translation>Erst eine höhere Stufe gilt als Hindernis (PgUp)</translation>
+        <translation>Erst eine höhere Stufe gilt als Hindernis (Bild auf)</translation>
     </message>
     <message>
         <source>✔ CLEAR</source>
@@ -13012,7 +13012,7 @@ voraus</translation>
     </message>
     <message>
         <source>the robot rolls</source>
-        <translation>der Roboter rollt</translation>
+        <translation>Rollwinkel zu groß</translation>
     </message>
     <message>
         <source>the flippers differ</source>
@@ -13258,7 +13258,7 @@ voraus</translation>
     </message>
     <message>
         <source>Seed of the random numbers: a whole number</source>
-        <translation>Der Zufallszahlen: eine ganze Zahl</translation>
+        <translation>Startwert der Zufallszahlen: eine ganze Zahl</translation>
     </message>
     <message>
         <source>Model</source>
@@ -13286,7 +13286,7 @@ voraus</translation>
     </message>
     <message>
         <source>Estimates the recorded scene with these settings</source>
-        <translation>Schätzt die aufgezeichnete Szene mit dem, was hier steht</translation>
+        <translation>Schätzt die aufgezeichnete Szene mit diesen Einstellungen</translation>
     </message>
     <message>
         <source>Progress of the estimate</source>
@@ -13330,7 +13330,7 @@ voraus</translation>
     </message>
     <message>
         <source>Differs from the recorded estimate by %1 at most, at bin %2.</source>
-        <translation>Weicht vom Gezeigten um höchstens %1 ab, im Feld %2.</translation>
+        <translation>Weicht von der aufgezeichneten Schätzung um höchstens %1 ab, im Feld %2.</translation>
     </message>
     <message>
         <source>Estimate again (E)</source>
@@ -13342,7 +13342,7 @@ voraus</translation>
     </message>
     <message>
         <source>Change settings, then estimate again: the page Terrain (F2) draws both.</source>
-        <translation>Ändern, was gewünscht ist, dann neu schätzen: die Seite Gelände (F2) zeichnet beide.</translation>
+        <translation>Einstellungen ändern, dann neu schätzen: die Seite Gelände (F2) zeichnet beide.</translation>
     </message>
     <message>
         <source>Cancel the estimate</source>

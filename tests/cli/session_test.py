@@ -258,7 +258,7 @@ class Report(Session):
         page = out.read_text()
         info = run("session", "info", source)
         link = re.search(r"last link +([0-9a-f]{64})", info)[1]
-        for words in ("Strip of felt ground", "Settings in force", "No alarm was raised", "probe proposed on estimate 1",
+        for words in ("Strip of felt ground", "Active settings", "No alarm was raised", "probe proposed on estimate 1",
                       "operator: approve", "error against the truth", "Every hash holds", link):
             self.assertIn(words, page)
         self.assertNotRegex(page, r"<script|https?://(?!www\.w3\.org/)")

@@ -105,8 +105,10 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
 
     override_ = new QPushButton(tr("Override (O)"), this);
     override_->setFocusPolicy(Qt::TabFocus);
-    setTip(*override_,
-           tr("Explores in spite of the doubt. The override is recorded and stays on the screen"));
+    setTip(
+        *override_,
+        tr("Explores in spite of the doubtful requirement. The override is recorded and stays on "
+           "the screen"));
     connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
     texts_ = new ScrollColumn(kLines, this);
     texts_->setAccessibleName(tr("Exploration (ATEM)"));

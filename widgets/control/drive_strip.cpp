@@ -39,8 +39,8 @@ QString tipOf(DriveStrip::Cell cell)
     case DriveStrip::Way: return DriveStrip::tr("Distance rolled since the last estimate");
     case DriveStrip::FeltTo:
         return DriveStrip::tr(
-            "The ground is felt up to here, forward from the IMU, on both sides; \"!\" where the "
-            "tracks are about to leave felt ground, \"none\" where nothing ahead is felt");
+            "The ground is felt up to here, forward from the IMU, on both sides. \"!\": the tracks "
+            "are about to leave felt ground. \"none\": nothing ahead is felt");
     default: return {};
     }
 }

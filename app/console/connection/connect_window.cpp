@@ -60,7 +60,7 @@ QString factsOf(const BusOffer& bus)
         lines << markOf(finding.level) + QLatin1Char(' ') + translated(finding.what);
         if (!finding.cure.empty())
             lines << QStringLiteral("    ")
-                         + ConnectWindow::tr("mends it: %1").arg(translated(finding.cure));
+                         + ConnectWindow::tr("repair: %1").arg(translated(finding.cure));
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -189,8 +189,8 @@ void ConnectWindow::listSources()
     if (isSearching_) list_->addItem(tr("Looking for CAN buses …"));
     for (const BusOffer& bus : buses_)
         list_->addItem(tr("CAN bus %1 — %2").arg(format::shownName(bus.name), stateOf(bus)));
-    list_->addItem(tr("Log to replay, in a window of its own"));
-    list_->addItem(tr("Session to review, in a window of its own"));
+    list_->addItem(tr("Log to replay, in another window"));
+    list_->addItem(tr("Session to review, in another window"));
     search_->setEnabled(!isSearching_);
 }
 
@@ -232,7 +232,7 @@ std::optional<QString> ConnectWindow::whyNotConnecting() const
     if (const auto why = options_.whyNot ? options_.whyNot() : std::nullopt)
         return translated(*why);
     if (const BusOffer* const bus = chosenBus(); bus && worstOf(*bus) == CanFinding::Level::Problem)
-        return tr("This interface cannot be used: mend it first, then look again");
+        return tr("This interface cannot be used: repair it first, then look again");
     return std::nullopt;
 }
 
@@ -267,7 +267,7 @@ void ConnectWindow::showChosen()
     connect_->setText(button);
     const auto whyNot = whyNotConnecting();
     connect_->setEnabled(!whyNot);
-    setTip(*connect_, whyNot.value_or(tr("Opens the console anew with it (Return)")));
+    setTip(*connect_, whyNot.value_or(tr("Restarts the console with it (Return)")));
     if (whyNot)
         result_->setText(*whyNot);
     else if (kind() == Kind::Simulated || bus)

@@ -309,8 +309,8 @@ void SettingsPage::buildLook(QFormLayout* form)
         tr("What the terrain page makes large"),
         [](const Preferences& p) { return static_cast<int>(p.layout); },
         [](Preferences& p, std::size_t i) { p.layout = static_cast<Layout>(i); });
-    flag(form, tr("Alarms may be heard"), tr("Off: alarms are only seen"), &Preferences::sound);
-    whole(form, tr("Contacts are heard at"), 0, 100, tr("%"),
+    flag(form, tr("Alarm sound"), tr("Off: alarms are only seen"), &Preferences::sound);
+    whole(form, tr("Contact tick volume"), 0, 100, tr("%"),
           tr("Ticks while a flipper touches the ground: higher towards the tip, faster with the "
              "force"),
           &Preferences::contactSound)
@@ -362,7 +362,7 @@ QWidget* SettingsPage::buildFiles()
     file(1, tr("Robot"), robot_, chooseRobot_, shippedRobot_);
     card->body()->addLayout(grid);
     auto* connects = new QPushButton(tr("Connect to a bus, log or session …"), card);
-    setTip(*connects, tr("What can be connected, what is wrong and what mends it (Ctrl+L)"));
+    setTip(*connects, tr("Connections, their faults and repairs (Ctrl+L)"));
     connect(connects, &QPushButton::clicked, this, &SettingsPage::connectWanted);
     card->body()->addWidget(connects, 0, Qt::AlignLeft);
     connect(chooseModel_, &QPushButton::clicked, this, [this] {

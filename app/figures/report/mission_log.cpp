@@ -309,7 +309,7 @@ DocumentPart missionSettings(const SessionReader& session, std::size_t maxRows,
                              const Wording& wording)
 {
     DocumentPart part{
-        .heading = wording(TR_NOOP("Report", "Settings in force")),
+        .heading = wording(TR_NOOP("Report", "Active settings")),
         .note = wording(TR_NOOP("Report", "Settings of the estimates, from each change on. Other "
                                           "settings are recorded as decisions.")),
         .facts = {},

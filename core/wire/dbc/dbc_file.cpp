@@ -335,7 +335,7 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
         return fileError(path, TR_NOOP("core", "is text in UTF-16: save it as UTF-8"));
     if (isNoText(content))
         return fileError(path, TR_NOOP("core", "is no text in UTF-8 or Windows code page 1252: "
-                                               "expected a DBC file; save it anew as such"));
+                                               "expected a DBC file; save it again as one"));
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (content.starts_with(kMark)) content.remove_prefix(kMark.size());
     if (content.find('\n') == std::string_view::npos
@@ -347,9 +347,8 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
     DbcParser parser(path, text);
     parser.warnOfZeros(content);
     if (!isUnicode && dependsOnCodePage(content))
-        parser.warn(TR_NOOP("core",
-                            "is no text in UTF-8: its letters are read as Windows code page "
-                            "1252; where they look wrong, save it as UTF-8"));
+        parser.warn(TR_NOOP("core", "is not UTF-8: read as Windows code page 1252; if characters "
+                                    "look wrong, save it as UTF-8"));
     return parser.parse();
 }
 

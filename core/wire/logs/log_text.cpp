@@ -18,7 +18,7 @@ constexpr std::array<std::size_t, 7> kLongFdLengths{12, 16, 20, 24, 32, 48, 64};
 
 Error expectedInLog(SourceText what, std::string_view found)
 {
-    return Error{Message(TR_NOOP("core", "expected %1, found %2: mend or delete the line"), what,
+    return Error{Message(TR_NOOP("core", "expected %1, found %2: correct or delete the line"), what,
                          found.empty() ? Message(TR_NOOP("core", "the end of the line"))
                                        : Message::verbatim(shown(found)))};
 }

@@ -180,7 +180,7 @@ TEST_F(GamepadConsole, theLossOfThePadLetsGo)
     ASSERT_TRUE(drives());
     pad->detach();
     EXPECT_TRUE(haltsForGood());
-    EXPECT_TRUE(hasEvent("the gamepad is lost: everything that it held is let go"));
+    EXPECT_TRUE(hasEvent("gamepad lost: all its controls are released"));
     pad = std::make_unique<VirtualPad>("Other pad");
     EXPECT_TRUE(eventually([&] { return hasEvent("gamepad connected: Other pad"); }));
     EXPECT_TRUE(drives());

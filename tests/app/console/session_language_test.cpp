@@ -122,6 +122,23 @@ TEST_F(BusConsole, aWholeSessionIsReadInTheReadersLanguage)
     }
 }
 
+TEST(SessionLanguage, argumentsOfAnEarlierVersionAreShownAsTodays)
+{
+    EventRow event{.kind = EventKind::Word};
+    event.message.context = "terratact::ConsoleAlarms";
+    event.message.source = "Disarmed: %1";
+    Message cause;
+    cause.context = "core";
+    cause.source = "the tracks moved less than the advance asked for";
+    event.message.arguments = {cause};
+    EXPECT_EQ(messageOf(event).english(),
+              "Disarmed: the tracks moved less than the commanded advance");
+    const InLanguage german("de");
+    ASSERT_TRUE(german.isThere);
+    EXPECT_TRUE(sentenceOf(event).endsWith("die Ketten fuhren weniger weit als befohlen"))
+        << sentenceOf(event).toStdString();
+}
+
 TEST(SessionLanguage, aSentenceOfAnEarlierVersionIsShownAsTodays)
 {
     EventRow event{.kind = EventKind::Word};

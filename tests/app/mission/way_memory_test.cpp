@@ -85,7 +85,7 @@ TEST_F(OneGround, ADriveIsRemembered)
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(memory(), "memory: 1.20 m · earlier presses: 1")
         << "the other press lies too far behind";
-    EXPECT_EQ(eventText().find("begins anew"), std::string::npos) << eventText();
+    EXPECT_EQ(eventText().find("memory cleared"), std::string::npos) << eventText();
 }
 
 TEST_F(OneGround, LostTelemetryClearsTheMemory)
@@ -94,8 +94,8 @@ TEST_F(OneGround, LostTelemetryClearsTheMemory)
     loseTelemetry(1.5);
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(method(), Method::Local);
-    EXPECT_EQ(memory().find("memory begins anew: telemetry was missing"), 0U) << memory();
-    EXPECT_NE(eventText().find("memory begins anew"), std::string::npos);
+    EXPECT_EQ(memory().find("memory cleared: telemetry was missing"), 0U) << memory();
+    EXPECT_NE(eventText().find("memory cleared"), std::string::npos);
     driveBy(0.3);
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(method(), Method::Trail);
@@ -113,7 +113,7 @@ TEST_F(OneGround, TurningOnTheSpotClearsTheMemory)
     }
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(method(), Method::Local);
-    EXPECT_EQ(memory(), "memory begins anew: the robot has turned");
+    EXPECT_EQ(memory(), "memory cleared: the robot has turned");
 }
 
 TEST_F(OneGround, WithoutOdometryThereIsNoMemory)
@@ -181,7 +181,7 @@ TEST_F(OneGround, ForgettingForgetsTheWay)
     tick(3);
     ASSERT_TRUE(explore()) << eventText();
     EXPECT_EQ(method(), Method::Local);
-    EXPECT_EQ(memory(), "memory begins anew: the remembered ground was cleared");
+    EXPECT_EQ(memory(), "memory cleared: the remembered ground was cleared");
 }
 
 TEST_F(OneGround, AnotherMethodHasNothingToSay)

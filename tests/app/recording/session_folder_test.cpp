@@ -68,8 +68,8 @@ TEST_F(SessionFolder, deletesNothingThatWasNotConfirmed)
     makeClosed(folder + "/2.tts");
     const auto told = applyRetention(sessionsIn(folder), {.days = 30.0}, kLater);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].english().find("2 sessions of "), std::string::npos) << told[0].english();
-    EXPECT_NE(told[0].english().find("none is deleted until"), std::string::npos)
+    EXPECT_NE(told[0].english().find("2 sessions ("), std::string::npos) << told[0].english();
+    EXPECT_NE(told[0].english().find("None is deleted until"), std::string::npos)
         << told[0].english();
     EXPECT_EQ(filesIn(folder).size(), 2U);
 }

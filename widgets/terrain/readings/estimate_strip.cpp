@@ -76,7 +76,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     setTone(*details_, Tone::Muted);
     warnings_ = new PlainLabel(this);
     warnings_->setWordWrap(true);
-    warnings_->setAccessibleName(tr("Reasons to doubt the result"));
+    warnings_->setAccessibleName(tr("Warnings about the result"));
     setTone(*warnings_, Tone::Warning);
     progress_ = new QProgressBar(this);
     progress_->setRange(0, 1000);

@@ -42,8 +42,8 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(0, kColumns, parent)
          withUnit(tr("10 % [%1]")), withUnit(tr("90 % [%1]")), withUnit(tr("ceiling [%1]")),
          tr("from"), tr("felt"), tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
     setTip(*horizontalHeaderItem(Step),
-           tr("P of a step to the next bin alone; the verdict's P counts steps within %1, which is "
-              "over two bins, and anywhere ahead")
+           tr("P of a step to the next bin alone. The verdict's P counts steps over two bins (%1), "
+              "anywhere ahead")
                .arg(format::length(kStepBins * kBinWidth, 1)));
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());

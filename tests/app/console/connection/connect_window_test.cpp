@@ -77,9 +77,9 @@ TEST_F(ConnectBench, listsEverySourceAndWhatMendsIt)
     EXPECT_EQ(window.list()->item(2)->text(), "CAN bus can1 — cannot be used, see below");
     choose(2);
     EXPECT_EQ(window.facts(),
-              "✘ can1 is down\n    mends it: sudo ip link set can1 up type can bitrate 500000");
+              "✘ can1 is down\n    repair: sudo ip link set can1 up type can bitrate 500000");
     EXPECT_FALSE(window.connectButton()->isEnabled());
-    EXPECT_EQ(window.result(), "This interface cannot be used: mend it first, then look again");
+    EXPECT_EQ(window.result(), "This interface cannot be used: repair it first, then look again");
     offers[1].findings = goodBus().findings;
     QTest::keyClick(window.searchButton(), Qt::Key_Space);
     EXPECT_TRUE(eventually([&] { return window.connectButton()->isEnabled(); }))

@@ -86,7 +86,7 @@ TEST_F(HistoryOf, aPastEstimateChangesThePictureAndNothingElse)
     // No probe goes to a bin of a picture of the past.
     const AtemPhase phase = window->exploration().state().phase;
     emit window->terrain()->binChosen({5, ProbeSide::Middle});
-    EXPECT_TRUE(eventually([&] { return says("shows an estimate of the past"); }));
+    EXPECT_TRUE(eventually([&] { return says("shows an earlier estimate"); }));
     EXPECT_EQ(window->exploration().state().phase, phase);
     QTest::keyClick(panel.list(), Qt::Key_Backspace);
     EXPECT_TRUE(pictured(present));

@@ -45,7 +45,7 @@ bool isSameEverywhere(const std::string& text)
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) "
         ".*|[Mm]odel|[Gg]amepad|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
-        "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
+        "Signal|Rate|Bytes|REC|Export|Format|Details)\\b|can#|"
         "\\b(Ctrl|Alt|PgUp|PgDown|Home|End|Esc|Del|Backspace)\\b|"  // key names of these languages
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"

@@ -98,7 +98,7 @@ TEST_F(MissionReport, hasTheSealTheHashesAndTheGround)
     EXPECT_EQ(factOf(hashes, "robot file"), reader.start().robotHash);
     EXPECT_NE(factOf(hashes, "model").find(reader.models()[0].hash), std::string::npos);
     EXPECT_FALSE(partOf(*report, "Strip of felt ground").pictures.empty());
-    EXPECT_NE(partOf(*report, "Settings in force").table.rows.at(0).at(2).find("step limit 0.1 m"),
+    EXPECT_NE(partOf(*report, "Active settings").table.rows.at(0).at(2).find("step limit 0.1 m"),
               std::string::npos);
 }
 

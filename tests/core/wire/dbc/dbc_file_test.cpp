@@ -323,7 +323,7 @@ TEST(DbcFiles, withoutAMessageAreRefusedWithTheFirstCause)
          {"no message", "line 2", "a message (BO_) before"}},
         {"VERSION \"\"\n", {"no message", "is it a DBC file?"}},
         {"", {"no message"}},
-        {std::string("BO_\0", 4), {"no text", "save it anew"}},
+        {std::string("BO_\0", 4), {"no text", "save it again as one"}},
         {std::string("\xFF\xFE"
                      "B\0O\0_\0 \0",
                      10),

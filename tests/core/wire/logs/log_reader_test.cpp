@@ -122,7 +122,7 @@ TEST(Logs, aWrongLineIsRefusedWithWhatToDo)
     EXPECT_EQ(log.frames.size(), 2U);
     EXPECT_EQ(log.error,
               "a.log: line 3: expected an identifier of 3 or 8 hexadecimal digits, found "
-              "'5Ä0': mend or delete the line");
+              "'5Ä0': correct or delete the line");
     EXPECT_EQ(read(";$FILEVERSION=3.0\n").error,
               "a.log: line 1: is of version '3.0' of the format: export it as version 1.0 to 2.1");
 }
