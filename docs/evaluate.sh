@@ -59,7 +59,7 @@ show evaluate --data unseen.csv --methods pafc,clearance,joint,local --seed 1 --
 
 say '' '## Missing sensors' '' \
   'The same scenes, real and generated, where currents or forces were not measured (core/README.md).' \
-  'A single array, left or right, is no separate case: its forces replace the mean of both.' \
+  'These scenes hold the mean of both arrays. The row *right array* keeps the left one alone, with the noise that the simulation gives each array.' \
   'These scans were used to choose how the processes without them are made. The real rows are therefore no independent test.'
 show evaluate --missing --data real.csv --methods local --seed 1 --out lacking
 show evaluate --missing --data unseen.csv --methods local --seed 1 --out lacking

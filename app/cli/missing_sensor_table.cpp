@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <random>
 #include <string>
 
 #include "app/runtime/print_text.h"
 #include "core/eval/evaluation.h"
+#include "core/learn/data/two_track_scene.h"
+#include "core/robot/two_tracks.h"
+#include "core/sim/sensor_noise.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
 
@@ -16,7 +21,8 @@ namespace {
 struct MissingCase {
     std::string name;
     bool front = false, rear = false;  ///< missing currents
-    std::vector<std::size_t> forces;   ///< missing force elements
+    std::vector<std::size_t> forces;   ///< missing force elements of both arrays
+    bool rightArray = false;           ///< all elements of the right array
 };
 
 std::vector<MissingCase> missingCases()
@@ -27,14 +33,25 @@ std::vector<MissingCase> missingCases()
                                    {"both currents", true, true, {}}};
     for (const std::size_t e : all)
         cases.push_back({fmt::format("force element {}", e + 1), false, false, {e}});
+    cases.push_back({"right array", false, false, {}, true});
     cases.push_back({"all forces", false, false, all});
     cases.push_back({"currents and forces", true, true, all});
     return cases;
 }
 
-std::vector<Scene> without(const MissingCase& lacks, std::vector<Scene> scenes)
+/// Leaves the forces of the left array, which has more noise than the mean of both (sidesOf()).
+void keepLeftArray(Scene& scene, const RobotModel& robot, std::mt19937_64& rng)
 {
+    const Measurement line = measurementOf(onBothSides(scene).s);
+    scene.s.force = sidesOf(line, SensorNoise{}, robot, rng).left;
+}
+
+std::vector<Scene> without(const MissingCase& lacks, std::vector<Scene> scenes,
+                           const RobotModel& robot, std::uint64_t seed)
+{
+    std::mt19937_64 rng(seed);
     for (Scene& scene : scenes) {
+        if (lacks.rightArray) keepLeftArray(scene, robot, rng);
         if (lacks.front) scene.s.frontCurrent.reset();
         if (lacks.rear) scene.s.rearCurrent.reset();
         for (const std::size_t e : lacks.forces) scene.s.force[e].reset();
@@ -80,7 +97,8 @@ Status printMissingSensors(const std::vector<Scene>& scenes, const EstimatorBund
         for (const MissingCase& lacks : missingCases()) {
             Settings settings = options.settings;
             settings.method = method;
-            csv += judgeCase(lacks, without(lacks, scenes), bundle, settings, options.seconds);
+            csv += judgeCase(lacks, without(lacks, scenes, bundle.robot, settings.seed), bundle,
+                             settings, options.seconds);
         }
     return writeFileAtomically((std::filesystem::path(options.out) / "missing.csv").string(), csv);
 }

@@ -88,7 +88,7 @@ SideForces sidesOf(const Measurement& measurement, const SensorNoise& noise,
         };
         const double mean = measurement.force[e];
         const double sd = std::hypot(noise.forceShare * mean, noise.forceFloor);
-        const double most = std::min(mean, robot.forceSaturation - mean);
+        const double most = std::max(0.0, std::min(mean, robot.forceSaturation - mean));
         const double drawn = std::clamp(withNoise(0.0, sd, rng), -most, most);
         const double half = has(Side::Left) && has(Side::Right) ? drawn : 0.0;
         if (has(Side::Left)) sides.left[e] = mean + half;

@@ -284,9 +284,10 @@ class Commands(unittest.TestCase):
         out = self.path / "missing"
         text = self.evaluate(out, "--missing", "--methods", "local", count=4)
         self.assertIn("currents and forces", text)
-        table = rows(out / "missing.csv")
-        self.assertEqual(len(table), 11)
-        self.assertEqual({row["scenes"] for row in table}, {"4"})
+        table = {row["not_measured"]: row for row in rows(out / "missing.csv")}
+        self.assertEqual(len(table), 12)
+        self.assertEqual({row["scenes"] for row in table.values()}, {"4"})
+        self.assertNotEqual(table["right array"]["mean_m"], table["none"]["mean_m"])
 
     def two_tracks_of_a_wrong_pitch_are_withheld(self, model, scenes):
         wrong, out = self.path / "wrong.csv", self.path / "wrong_est.csv"
@@ -320,7 +321,9 @@ class Commands(unittest.TestCase):
         done = subprocess.run([CLI, "evaluate", "--tracks", "--missing", "--model", model, "--data", scenes, "--methods",
                                "local", "--out", out], capture_output=True, text=True, timeout=500, check=True)
         self.assertRegex(done.stderr, r"1(\d\d) of 1\1 scenes are training scenes of this model")
-        self.assertIn("right array", [row["not_measured"] for row in rows(out / "missing.csv")])
+        width = {row["not_measured"]: float(row["width_80_m"]) for row in rows(out / "missing.csv")}
+        self.assertIn("right array", width)
+        self.assertNotIn(width["nothing"], [width[f"right element {e}"] for e in range(1, 7)])
         estimates = self.path / "est_two.csv"
         run("reconstruct", "--tracks", "--model", model, "--data", scenes, "--out", estimates)
         table = rows(estimates)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bitset>
 #include <cmath>
 #include <ctime>
 #include <functional>
@@ -172,24 +173,34 @@ std::vector<TrackApproach> approachesOf(Method method)
     return {TrackApproach::PerSide, TrackApproach::Plane};
 }
 
-/// Sensors that a robot may lack.
+/// Sensors that a robot may lack. Bit e of an array: element e + 1 of the front flipper.
 struct Lack {
-    const char* name;
-    bool currents, leftForces, rightForces;
+    std::string name;
+    bool currents = false;
+    std::bitset<kForceElements> left{}, right{};
 };
-constexpr std::array kLacks{Lack{"nothing", false, false, false},
-                            Lack{"currents", true, false, false},
-                            Lack{"forces", false, true, true},
-                            Lack{"right array", false, false, true},
-                            Lack{"right array, currents", true, false, true},
-                            Lack{"currents, forces", true, true, true}};
+
+std::vector<Lack> possibleLacks()
+{
+    const auto whole = std::bitset<kForceElements>().set();
+    std::vector<Lack> all{{"nothing"}, {"currents", true}};
+    for (std::size_t e = 0; e < whole.size(); ++e)
+        all.push_back({fmt::format("right element {}", e + 1), false, {}, 1ULL << e});
+    all.push_back({"forces", false, whole, whole});
+    all.push_back({"right array", false, {}, whole});
+    all.push_back({"right array, currents", true, {}, whole});
+    all.push_back({"currents, forces", true, whole, whole});
+    return all;
+}
 
 TrackScenes without(const Lack& lack, TrackScenes scenes)
 {
     for (TwoTrackScene& scene : scenes) {
         if (lack.currents) scene.s.currents = {};
-        if (lack.leftForces) scene.s.forces[indexOf(Flipper::FrontLeft)] = {};
-        if (lack.rightForces) scene.s.forces[indexOf(Flipper::FrontRight)] = {};
+        for (std::size_t e = 0; e < lack.left.size(); ++e) {
+            if (lack.left[e]) scene.s.forces[indexOf(Flipper::FrontLeft)][e].reset();
+            if (lack.right[e]) scene.s.forces[indexOf(Flipper::FrontRight)][e].reset();
+        }
     }
     return scenes;
 }
@@ -312,7 +323,7 @@ std::vector<TrackMissing> evaluateMissing(const TrackScenes& scenes, const Estim
                                           const EvaluateOptions& options)
 {
     std::vector<TrackMissing> missing;
-    for (const Lack& lack : kLacks) {
+    for (const Lack& lack : possibleLacks()) {
         const TrackScenes left = without(lack, scenes);
         std::vector<BinError> errors;
         forParts(left, [&](std::size_t first, TrackPart part) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/learn/data/columns.h"
+#include "tests/support/absolem.h"
 
 namespace terratact {
 namespace {
@@ -130,6 +131,20 @@ TEST(SensorNoise, ofTheScannerIsIndependentFromBinToBin)
     }
     EXPECT_NEAR(std::sqrt(square / kDraws), 0.012, 0.012 * 5.0 / std::sqrt(2.0 * kDraws));
     EXPECT_NEAR(product / kDraws, 0.0, 0.012 * 0.012 * 5.0 / std::sqrt(kDraws));
+}
+
+TEST(SensorNoise, sidesOfAMeanBeyondTheRangeReadThatMean)
+{
+    const RobotModel robot = absolem();
+    Measurement line;
+    line.force.fill(2.0);
+    line.force[1] = robot.forceSaturation + 5.0;
+    std::mt19937_64 rng(17);
+    const SideForces sides = sidesOf(line, SensorNoise{}, robot, rng);
+    EXPECT_EQ(sides.left[1], line.force[1]);
+    EXPECT_EQ(sides.right[1], line.force[1]);
+    EXPECT_NE(sides.left[0], sides.right[0]);
+    EXPECT_DOUBLE_EQ((*sides.left[0] + *sides.right[0]) / 2.0, 2.0);
 }
 
 TEST(SensorNoise, refusesInvalidDeviations)
