@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <QThreadPool>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/shell/preferences/preferences.h"
@@ -9,12 +11,16 @@
 
 namespace terratact {
 
-/// The preferences in force. They differ from the saved ones if the command line overrides them.
+/// The preferences in force. They differ from the saved ones if the command line overrides them. Another thread saves
+/// them, because a disk may take longer than a window may freeze. The destructor waits for it.
 class PreferenceStore final : public QObject {
     Q_OBJECT
 public:
-    /// loaded: from the file. inForce: with the command line's overrides, which are never saved.
-    PreferenceStore(LoadedPreferences loaded, Preferences inForce);
+    using Save = std::function<std::optional<Message>(const QString& path, const Preferences&)>;
+
+    /// loaded: from the file. inForce: with the command line's overrides, which are never saved. save: called in the
+    /// other thread.
+    PreferenceStore(LoadedPreferences loaded, Preferences inForce, Save save = savePreferences);
     PreferenceStore() : PreferenceStore({}, {}) {}  ///< defaults; reads and saves nothing
 
     const Preferences& current() const { return inForce_; }
@@ -22,7 +28,8 @@ public:
     /// Returns the errors of loading.
     const std::vector<Message>& troubles() const { return loaded_.troubles; }
 
-    /// Applies a change to the values in force and the saved values, and saves.
+    /// Applies a change to the values in force and to the saved values. Where saving takes long, the newest values
+    /// are saved next.
     void change(const std::function<void(Preferences&)>& edit);
 
 signals:
@@ -30,8 +37,12 @@ signals:
     void notSaved(const terratact::Message& why);
 
 private:
+    void saveSoon();
+
     LoadedPreferences loaded_;
     Preferences inForce_;
+    Save save_;
+    QThreadPool saver_;  ///< of one thread; its destructor waits for the last save
 };
 
 }  // namespace terratact

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <future>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/console/main_window.h"
 #include "app/display/translated.h"
@@ -27,10 +30,31 @@ TEST_F(Look, choicesAreSavedButNotCommandLineOptions)
     open(fromCommandLine);
     press(Qt::Key_3);
     EXPECT_EQ(window->preferences().current().theme, ThemeName::HighContrast);
+    EXPECT_TRUE(eventually([&] { return saved().layout == Layout::Review; }));
     EXPECT_EQ(saved().theme, ThemeName::Day);
-    EXPECT_EQ(saved().layout, Layout::Review);
     window->close();
-    EXPECT_FALSE(saved().window.isEmpty());
+    EXPECT_TRUE(eventually([&] { return !saved().window.isEmpty(); }));
+}
+
+TEST(PreferenceStore, aSlowDiskHoldsNoChangeAndGetsTheNewest)
+{
+    std::promise<void> disk;
+    const std::shared_future<void> answers = disk.get_future().share();
+    std::vector<double> written;
+    {
+        LoadedPreferences loaded;
+        loaded.path = QStringLiteral("console.ini");
+        PreferenceStore store(loaded, {}, [&](const QString&, const Preferences& p) {
+            answers.wait();
+            written.push_back(p.obstacleLimit);
+            return std::optional<Message>();
+        });
+        for (const double limit : {0.2, 0.3, 0.4})
+            store.change([limit](Preferences& p) { p.obstacleLimit = limit; });
+        EXPECT_EQ(store.current().obstacleLimit, 0.4);
+        disk.set_value();  // a change that waits never comes here
+    }
+    EXPECT_EQ(written, (std::vector{0.2, 0.4})) << "the end waits for the newest";
 }
 
 TEST_F(Look, aTroubleWithThePreferencesIsAnEvent)
