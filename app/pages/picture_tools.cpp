@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMetaMethod>
 #include <QPixmap>
+#include <thread>
 #include <utility>
 
 #include "app/pages/terrain_picture.h"
@@ -22,6 +23,31 @@ namespace terratact {
 namespace {
 
 constexpr double kMenuZoom = 1.25;
+
+/// Writes a picture in another thread: its coding and a disk may take longer than a window may freeze. Reports the
+/// result in the owner's thread, unless the owner is gone; its end waits for the file.
+class PictureWriter final : public QObject {
+public:
+    PictureWriter(QObject& owner, std::function<QString()> write,
+                  std::function<void(const QString& trouble)> done)
+        : QObject(&owner), done_(std::move(done)), thread_([this, write = std::move(write)] {
+              const QString trouble = write();
+              QMetaObject::invokeMethod(
+                  this, [this, trouble] { finish(trouble); }, Qt::QueuedConnection);
+          })
+    {
+    }
+
+private:
+    void finish(const QString& trouble)
+    {
+        done_(trouble);
+        deleteLater();
+    }
+
+    std::function<void(const QString& trouble)> done_;
+    std::jthread thread_;
+};
 
 /// Returns a point in the picture for a menu that a key opens: at the bin shown in detail, else in the middle.
 QPoint menuPlace(const TerrainProfileView& view)
@@ -107,7 +133,8 @@ void PictureTools::copyNumbers() const
         text += table.text();
     }
     if (const QStringList lines = view_.measuredLines(); !lines.isEmpty())
-        text += lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+        text += lines.join(QLatin1Char('\n')).replace(QChar(0x2212), QLatin1Char('-'))
+              + QLatin1Char('\n');
     if (!text.isEmpty()) QApplication::clipboard()->setText(text);
 }
 
@@ -141,15 +168,15 @@ void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
                 .start = QStringLiteral("terrain.png"),
                 .filter = PictureTools::tr("Pictures (*.png *.svg *.pdf)"),
                 .kind = FileWish::Kind::ToWrite},
-               [&view, done = std::move(done)](const QString& path) {
+               [&view, &parent, done = std::move(done)](const QString& path) {
                    const QString file =
                        QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".png") : path;
-                   const QString trouble =
-                       QFileInfo::exists(file)
-                           ? PictureTools::tr("%1 exists and was not replaced; choose another name")
-                                 .arg(file)
-                           : savePicture(view, file, PictureColours::AsShown);
-                   done(file, trouble);
+                   const QString taken =
+                       PictureTools::tr("%1 exists and was not replaced; choose another name");
+                   if (QFileInfo::exists(file)) return done(file, taken.arg(file));
+                   // The parent owns it.
+                   new PictureWriter(parent, drawnPicture(view, file, PictureColours::AsShown),
+                                     [done, file](const QString& trouble) { done(file, trouble); });
                });
 }
 

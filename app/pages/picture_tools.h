@@ -44,7 +44,8 @@ private:
 };
 
 /// Asks for a file and saves the picture in its colours (savePicture()). A name without ending gets .png. An existing
-/// file is not replaced. done: gets the path and an error text; empty: the file was written.
+/// file is not replaced. done: gets the path and an error text, once the other thread has written the file; empty: it
+/// was written.
 void askAndSavePicture(TerrainProfileView& view, QWidget& parent,
                        std::function<void(const QString& path, const QString& trouble)> done);
 

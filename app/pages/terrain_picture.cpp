@@ -4,7 +4,10 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QImage>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/display/translated.h"
 #include "core/store/file_write.h"
@@ -17,6 +20,23 @@ namespace {
 struct PictureExportWords {
     Q_DECLARE_TR_FUNCTIONS(ReviewExport)
 };
+
+constexpr double kWidth = 240.0;       // [mm] of a picture
+constexpr double kMillimetres = 25.4;  // of an inch
+constexpr int kDotsPerInch = 192;
+
+/// Draws what QwtPlotRenderer::renderDocument() would code as a .png. millimetres: the picture's size.
+QImage drawnPixels(const QwtPlotRenderer& renderer, TerrainProfileView& terrain,
+                   const QSizeF& millimetres)
+{
+    QImage pixels((millimetres * (kDotsPerInch / kMillimetres)).toSize(), QImage::Format_ARGB32);
+    const int dotsPerMetre = qRound(1000.0 * kDotsPerInch / kMillimetres);
+    pixels.setDotsPerMeterX(dotsPerMetre);
+    pixels.setDotsPerMeterY(dotsPerMetre);
+    pixels.fill(Qt::white);
+    renderer.renderTo(&terrain, pixels);
+    return pixels;
+}
 
 QString pictureTrouble(const Status& status)
 {
@@ -48,14 +68,18 @@ private:
 
 }  // namespace
 
-QString savePicture(TerrainProfileView& terrain, const QString& path, PictureColours colours)
+std::function<QString()> drawnPicture(TerrainProfileView& terrain, const QString& path,
+                                      PictureColours colours)
 {
+    const auto refused = [](const QString& why) { return [why] { return why; }; };
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix != QLatin1String("png") && suffix != QLatin1String("svg")
         && suffix != QLatin1String("pdf"))
-        return PictureExportWords::tr("%1: a picture is a .png, .svg or .pdf").arg(path);
-    auto file = NewFile::begin(path.toStdString());
-    if (!file) return pictureTrouble(file.error());
+        return refused(PictureExportWords::tr("%1: a picture is a .png, .svg or .pdf").arg(path));
+    auto begun = NewFile::begin(path.toStdString());
+    if (!begun) return refused(pictureTrouble(begun.error()));
+    // Shared, because a std::function copies what it holds.
+    const auto file = std::make_shared<NewFile>(*std::move(begun));
     const QString temporary = QString::fromStdString(file->temporaryPath());
     std::optional<AsOnPaper> paper;
     QwtPlotRenderer renderer;
@@ -63,14 +87,23 @@ QString savePicture(TerrainProfileView& terrain, const QString& path, PictureCol
         paper.emplace(terrain);
         renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
     }
-    constexpr double kWidth = 240.0;  // [mm]
-    constexpr int kDotsPerInch = 192;
-    const QSizeF shown = terrain.size();
-    renderer.renderDocument(&terrain, temporary, suffix,
-                            QSizeF(kWidth, kWidth * shown.height() / shown.width()), kDotsPerInch);
-    if (QFileInfo(temporary).size() <= 0)
-        return PictureExportWords::tr("%1 could not be written").arg(path);
-    return pictureTrouble(file->commit());
+    const QSizeF size(kWidth, kWidth * terrain.height() / terrain.width());
+    QImage pixels;
+    if (suffix == QLatin1String("png"))
+        pixels = drawnPixels(renderer, terrain, size);
+    else
+        renderer.renderDocument(&terrain, temporary, suffix, size, kDotsPerInch);
+    return [file, path, temporary, pixels] {
+        const bool isCoded = pixels.isNull() || pixels.save(temporary, "PNG");
+        if (!isCoded || QFileInfo(temporary).size() <= 0)
+            return PictureExportWords::tr("%1 could not be written").arg(path);
+        return pictureTrouble(file->commit());
+    };
+}
+
+QString savePicture(TerrainProfileView& terrain, const QString& path, PictureColours colours)
+{
+    return drawnPicture(terrain, path, colours)();
 }
 
 }  // namespace terratact

@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <optional>
 
 #include "app/pages/terrain_picture.h"
 #include "app/shell/key_table.h"
@@ -74,6 +75,20 @@ TEST_F(Pictured, copiesPictureAndNumbers)
     view.setMeasuring(true);
     action("Copy the numbers")->trigger();
     EXPECT_TRUE(QApplication::clipboard()->text().contains("m apart"));
+}
+
+TEST_F(Pictured, copiedMeasurementsHaveAnAsciiMinus)
+{
+    TerrainEstimate e = stepEstimate();
+    e.touch.fill(Touch::Felt);
+    view.setEstimate(e);
+    view.setMeasuring(true);
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(view.measuredLines().join('\n').contains(QChar(0x2212)));
+    tools.copyNumbers();
+    const QString numbers = QApplication::clipboard()->text();
+    EXPECT_TRUE(numbers.contains("m apart")) << numbers.toStdString();
+    EXPECT_FALSE(numbers.contains(QChar(0x2212))) << numbers.toStdString();
 }
 
 TEST_F(Pictured, numbersBeginWithTheNoteOfThePicture)
@@ -139,6 +154,22 @@ TEST_F(Pictured, aPictureAsShownKeepsTheTheme)
     EXPECT_FALSE(savePicture(view, "picture.bmp", PictureColours::AsShown).isEmpty());
 }
 
+TEST_F(Pictured, anExportIsWrittenInAnotherThread)
+{
+    const TemporaryDirectory directory;
+    const QString file = QString::fromStdString(directory.file("terrain.png"));
+    std::optional<QString> trouble;
+    QWidget parent;
+    askAndSavePicture(view, parent, [&](const QString&, const QString& why) { trouble = why; });
+    auto* const dialog = parent.findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog);
+    emit dialog->fileSelected(file);
+    EXPECT_FALSE(trouble) << "coding it would hold the window";
+    ASSERT_TRUE(gui::eventually([&] { return trouble.has_value(); }));
+    EXPECT_EQ(*trouble, "");
+    EXPECT_FALSE(QImage(file).isNull());
+}
+
 TEST_F(Pictured, anExportReplacesNoFileAndKnowsItsEnding)
 {
     const TemporaryDirectory directory;
@@ -146,6 +177,7 @@ TEST_F(Pictured, anExportReplacesNoFileAndKnowsItsEnding)
     ASSERT_TRUE(QDir().mkdir(folder));
     QString written, trouble;
     const auto exportTo = [&](const QString& path) {
+        written.clear();
         QWidget parent;
         askAndSavePicture(view, parent, [&](const QString& file, const QString& why) {
             written = file;
@@ -153,6 +185,7 @@ TEST_F(Pictured, anExportReplacesNoFileAndKnowsItsEnding)
         });
         auto* const dialog = parent.findChild<QFileDialog*>();
         if (dialog) emit dialog->fileSelected(path);
+        EXPECT_TRUE(gui::eventually([&] { return !written.isEmpty(); }));
     };
     exportTo(folder + "/terrain");
     EXPECT_EQ(written, folder + "/terrain.png") << "the folder's point is no ending";
