@@ -15,7 +15,6 @@
 #include "app/recording/what_if.h"
 #include "core/base/text.h"
 #include "core/infer/estimate/provenance.h"
-#include "core/infer/verdict/estimate_text.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/log/event_text.h"
 #include "core/robot/side_plane.h"

@@ -14,9 +14,4 @@ namespace terratact {
 /// Empty without draws.
 std::vector<Message> hiddenByBands(const TerrainEstimate& estimate, double limit = kStepLimit);
 
-/// Returns the sentences of both sides: a sentence of both as it is, "left: …" or "right: …" before
-/// one of a single side. Sentences of the left side come first.
-std::vector<Message> ofBothSides(const std::vector<Message>& left,
-                                 const std::vector<Message>& right);
-
 }  // namespace terratact

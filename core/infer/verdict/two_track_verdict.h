@@ -2,7 +2,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/robot/robot_model.h"
@@ -84,5 +86,10 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 Message messageOf(const TwoTrackVerdict& verdict);
 /// Returns messageOf() in English.
 std::string describe(const TwoTrackVerdict& verdict);
+
+/// Returns the sentences of both sides: a sentence of both as it is, "left: …" or "right: …" before
+/// one of a single side. Sentences of the left side come first.
+std::vector<Message> ofBothSides(const std::vector<Message>& left,
+                                 const std::vector<Message>& right);
 
 }  // namespace terratact

@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "app/display/format.h"
 #include "app/display/place_text.h"
 #include "app/display/translated.h"
 #include "core/infer/estimate/two_track_estimate.h"
+#include "core/infer/verdict/two_track_verdict.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -50,13 +52,11 @@ QString endingText(Ending ending)
     return {};
 }
 
-QStringList warningsOf(const TerrainEstimate& estimate)
+std::vector<Message> warningsOf(const TerrainEstimate& estimate)
 {
-    QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
-        warnings << EstimateStrip::tr("the chains have not converged");
-    for (const Message& warning : estimate.warnings) warnings << translated(warning);
-    return warnings;
+        return {TR_NOOP("terratact::EstimateStrip", "the chains have not converged")};
+    return estimate.warnings;
 }
 
 double largestSd(const TerrainEstimate& estimate)
@@ -126,9 +126,7 @@ void EstimateStrip::setEstimate(const TwoTrackEstimate& estimate, double seconds
     const bool isLeft = largestSd(left) >= largestSd(right);
     showEstimate(isLeft ? left : right, isLeft ? ProbeSide::Left : ProbeSide::Right, seconds,
                  memory);
-    QStringList warnings = warningsOf(left) + warningsOf(right);
-    warnings.removeDuplicates();
-    showWarnings(warnings);
+    showWarnings(ofBothSides(warningsOf(left), warningsOf(right)));
 }
 
 /// Shows the numbers of an estimate; side: of two tracks, the one with the largest sd.
@@ -164,12 +162,13 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     arrange();
 }
 
-void EstimateStrip::showWarnings(const QStringList& warnings)
+void EstimateStrip::showWarnings(const std::vector<Message>& warnings)
 {
-    warnings_->setText(warnings.isEmpty()
-                           ? QString()
-                           : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));
-    warnings_->setVisible(!warnings.isEmpty());
+    QStringList texts;
+    for (const Message& warning : warnings) texts << translated(warning);
+    warnings_->setText(texts.isEmpty() ? QString()
+                                       : QStringLiteral("! ") + texts.join(QStringLiteral(" · ")));
+    warnings_->setVisible(!texts.isEmpty());
 }
 
 void EstimateStrip::setLive(const QString& note)

@@ -3,7 +3,9 @@
 #include <QStringList>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
+#include "core/base/message.h"
 #include "core/robot/probe_side.h"
 
 class QLabel;
@@ -22,7 +24,8 @@ class EstimateStrip final : public QWidget {
 public:
     explicit EstimateStrip(QWidget* parent = nullptr);
 
-    /// seconds: computation time; memory: text about what the estimate remembers of the way.
+    /// seconds: computation time; memory: text about what the estimate remembers of the way. A warning of one side
+    /// names that side.
     void setEstimate(const TwoTrackEstimate& estimate, double seconds, const QString& memory = {});
     /// Shows an estimate of one plane.
     void setEstimate(const TerrainEstimate& plane, double seconds, const QString& memory = {});
@@ -47,7 +50,7 @@ protected:
 private:
     void showEstimate(const TerrainEstimate& widest, ProbeSide side, double seconds,
                       const QString& memory);
-    void showWarnings(const QStringList& warnings);
+    void showWarnings(const std::vector<Message>& warnings);
     void resizeToFont();
     void arrange();  ///< shortens or hides the details if the sentence needs their room
 

@@ -40,13 +40,5 @@ TEST(HiddenByBands, hasALimitAndIsEmptyWithoutDraws)
     EXPECT_TRUE(hiddenByBands(TerrainEstimate{}).empty());
 }
 
-TEST(OfBothSides, namesTheSideOfASentenceOfOne)
-{
-    const Message low = Message::verbatim("low"), high = Message::verbatim("high");
-    EXPECT_EQ(english(ofBothSides({low, high}, {high}), "; "), "left: low; high");
-    EXPECT_EQ(english(ofBothSides({low}, {high}), "; "), "left: low; right: high");
-    EXPECT_TRUE(ofBothSides({}, {}).empty());
-}
-
 }  // namespace
 }  // namespace terratact

@@ -186,5 +186,13 @@ TEST(TwoTrackVerdict, ofALineIsThatOfItsReadings)
     EXPECT_EQ(verdictOf(bare, absolem(), line, {}, 0.1).either, (StepProbability{0.0, 1.0}));
 }
 
+TEST(OfBothSides, namesTheSideOfASentenceOfOne)
+{
+    const Message low = Message::verbatim("low"), high = Message::verbatim("high");
+    EXPECT_EQ(english(ofBothSides({low, high}, {high}), "; "), "left: low; high");
+    EXPECT_EQ(english(ofBothSides({low}, {high}), "; "), "left: low; right: high");
+    EXPECT_TRUE(ofBothSides({}, {}).empty());
+}
+
 }  // namespace
 }  // namespace terratact
