@@ -1,6 +1,5 @@
 #include "app/console/settings_files_window.h"
 
-#include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -16,6 +15,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/shell/file_dialog.h"
+#include "app/shell/new_file.h"
 #include "app/shell/second_press.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
@@ -144,14 +144,14 @@ QWidget* SettingsFilesWindow::buildFiles()
     connect(export_, &QPushButton::clicked, this, [this, filter] {
         askForFile(*this,
                    {.title = tr("Export settings"),
-                    .start = QDir::homePath() + QStringLiteral("/terratact.settings"),
+                    .start = QStringLiteral("terratact.settings"),
                     .filter = filter,
                     .kind = FileWish::Kind::ToWrite},
                    [this](const QString& path) { exportTo(path); });
     });
     connect(import_, &QPushButton::clicked, this, [this, filter] {
         askForFile(*this,
-                   {.title = tr("Import settings"), .start = QDir::homePath(), .filter = filter},
+                   {.title = tr("Import settings"), .start = documentsFolder(), .filter = filter},
                    [this](const QString& path) { propose(path, format::fileName(path)); });
     });
     return row;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include "tests/support/benches/arming.h"
 #include "tests/support/benches/robot_on_bench.h"
 #include "tests/support/gui.h"
+#include "tests/support/own_documents.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/drive_pad.h"
@@ -161,6 +163,20 @@ TEST_F(SettingsFilesBench, exportsOnceAndImportsWhatChanges)
     EXPECT_EQ(window.result(), "") << "the file does not hold these settings";
     window.propose(file, "x.settings");
     EXPECT_EQ(window.changes()->rowCount(), 1);
+}
+
+TEST_F(SettingsFilesBench, exportsAndImportsAreSoughtInTheDocuments)
+{
+    const OwnDocuments documents(directory.file("home"));
+    for (const char* text : {"Export to a file …", "Import a file …"}) {
+        for (QPushButton* const button : window.findChildren<QPushButton*>())
+            if (button->text() == QString::fromUtf8(text)) button->click();
+        auto* const dialog = window.findChild<QFileDialog*>();
+        ASSERT_TRUE(dialog) << text;
+        EXPECT_EQ(dialog->directory().absolutePath(), documents.folder()) << text;
+        dialog->reject();
+        ASSERT_TRUE(eventually([&] { return !window.findChild<QFileDialog*>(); }));
+    }
 }
 
 TEST_F(SettingsFilesBench, refusesABrokenFileWithItsLine)

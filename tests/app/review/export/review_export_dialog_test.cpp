@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "core/store/file_write.h"
 #include "tests/support/benches/export_bench.h"
 #include "tests/support/gui.h"
+#include "tests/support/own_documents.h"
 #include "tests/support/sessions/robot_session.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
@@ -21,28 +21,6 @@ namespace {
 
 using namespace gui;
 using At = RobotSessionTimes;
-
-/// A documents folder of the test's own.
-class OwnDocuments {
-public:
-    explicit OwnDocuments(const std::string& home)
-        : folder_(QString::fromStdString(home) + QStringLiteral("/Documents"))
-    {
-        qputenv("HOME", QByteArray::fromStdString(home));
-        qunsetenv("XDG_CONFIG_HOME");
-        EXPECT_TRUE(QDir().mkpath(folder_));
-    }
-    ~OwnDocuments()
-    {
-        qputenv("HOME", home_);
-        if (!config_.isNull()) qputenv("XDG_CONFIG_HOME", config_);
-    }
-    const QString& folder() const { return folder_; }
-
-private:
-    QByteArray home_ = qgetenv("HOME"), config_ = qgetenv("XDG_CONFIG_HOME");
-    QString folder_;
-};
 
 TEST_F(ExportOf, defaultNamesDifferAndGoToTheDocuments)
 {
