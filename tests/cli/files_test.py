@@ -332,6 +332,12 @@ class Numbers(Scenes):
                 self.assertEqual([p.name for p in self.path.iterdir() if p.name.startswith("a.")], [], said)
 
 
+def heed_signals():
+    """A shell without job control lets what it starts in the background ignore SIGINT."""
+    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(stop, signal.SIG_DFL)
+
+
 class Interrupted(Scenes):
     def test_a_signal_leaves_nothing_half_written(self):
         line = pathlib.Path(LOG).read_text().splitlines()[0] + "\n"
@@ -339,7 +345,8 @@ class Interrupted(Scenes):
             for command in (("can", "decode", "-", "--csv", "a.csv"), ("session", "import", "-", "--out", "a.tts")):
                 with self.subTest(stop=stop, command=command):
                     process = subprocess.Popen([CLI, *command], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                                               stderr=subprocess.DEVNULL, cwd=self.path, text=True)
+                                               stderr=subprocess.DEVNULL, cwd=self.path, text=True,
+                                               preexec_fn=heed_signals)
                     begun = lambda: [p.name for p in self.path.iterdir() if p.name.startswith("a.")]
                     while not begun():  # until it has begun to write
                         process.stdin.write(line)
