@@ -299,7 +299,7 @@
     <name>Letters</name>
     <message>
         <source>%1 % wanted, %2 % fits this screen</source>
-        <translation>zvoleno %1 %, na obrazovku se vejde %2 %</translation>
+        <translation>zvoleno %1 %, vejde se %2 %</translation>
     </message>
 </context>
 <context>
