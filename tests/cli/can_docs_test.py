@@ -116,6 +116,12 @@ def without_times(text):
     return re.sub(r" *\d+\.\d+", " N", text)
 
 
+def last_table(block):
+    """Returns the command and the last table of a monitor. A busy machine prints more than one."""
+    command, tables = block.split("\n", 1)
+    return command + "\n" + tables[tables.rindex("    REPLAY "):]
+
+
 def rewritten(page):
     for command, block in list(blocks(page)):
         page = page.replace(block, f"    $ {command}\n{printed(command)}")
@@ -139,7 +145,7 @@ class Page(unittest.TestCase):
         for command, block in found:
             shown, now = block, f"    $ {command}\n{printed(command)}"
             if "monitor" in command:
-                shown, now = without_times(shown), without_times(now)
+                shown, now = without_times(shown), without_times(last_table(now))
             self.assertEqual(shown.rstrip("\n"), now.rstrip("\n"))
 
 
