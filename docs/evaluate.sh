@@ -88,8 +88,8 @@ for order in forward reverse random; do
 done
 
 say '' '## Choosing the probe' '' \
-  'A probe reads the truth with an sd of 30 mm. `sd`: the paper’s rule; `variance`, `step`: the largest expected' \
-  'reduction of the total variance, of the doubt about a step.' '' \
+  'A probe reads the truth with an sd of 30 mm. `sd`: the paper’s rule. `variance`, `step`: the largest expected' \
+  'reduction of the total variance, or of the entropy of a step.' '' \
   '    terratact evaluate --data real.csv --methods joint,local --probes --seed 1 --out probes' '' '```'
 "$terratact" evaluate --data real.csv --methods joint,local --probes --seed 1 --out probes 2>/dev/null |
   sed -n '/^Probes/,/^$/p' >>"$page"

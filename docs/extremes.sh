@@ -73,7 +73,7 @@ all cases. \`docs/extremes.sh $build\` made this page. The long forms and their 
 | estimates by all methods, cancelled at every poll, work between two polls | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
 | robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/rest/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
 | same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
-| R-hat and ESS as the R package posterior | \`tests/core/infer/sampling/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
+| R-hat and ESS as the R package posterior | \`tests/core/infer/sampling/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference again |
 
 The cost of a truncated normal draw: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
 
@@ -83,7 +83,7 @@ thread, as both programs set it.
 
 **Singular models.** The covariance of the training rows may be singular to working precision. Then a jitter of 1e-10 to 1e-6 of its
 diagonal is added and kept with the process. A model's file has hyperparameters and rows; the same jitter follows from them. An estimate
-that used it has a warning, and \`terratact train\` prints one when it ends. A model that this does not mend is refused. The relative error
+that used it has a warning, and \`terratact train\` prints one when it ends. A model that is singular even so is refused. The relative error
 of an accepted model is 1e-14 over the reciprocal condition number, at most 1e-2. For a variance, it is relative to that of the prior. For a
 mean, it is relative to the largest sum of its terms. That sum is about the largest output where outputs are as smooth as the length scales
 (\`core/learn/gp/gaussian_process.h\`). Gaussian processes subtract inputs before they scale them, so length scales of 1e-8 separate rows

@@ -48,9 +48,9 @@ trap 'rm -f "$page"' EXIT
   echo '  was felt at earlier stops. But single points feel little ground.'
   echo '- The simulated robot raises its front flippers to 1.2 rad before an advance. Their tips then come no further ahead than those of flat'
   echo '  flippers before it. A robot that raises them less reaches further.'
-  echo '- A *touch* is an advance in which a front flipper met ground above the step limit, seen from the ground under the foremost wheels. CLEAR'
-  echo '  must reach beyond the advance of the tracks, not as far as the tips. So a flipper can still meet a wall that nobody has felt. A touch is'
-  echo '  no collision, because collisions count only rises that the tracks meet. The drive goes on after a touch.'
+  echo '- A *touch* is an advance in which a front flipper met ground above the step limit. The limit counts from the ground under the foremost'
+  echo '  wheels. CLEAR must reach beyond the advance of the tracks, not as far as the tips. So a flipper can still meet a wall that nobody has'
+  echo '  felt. A touch is no collision, because collisions count only rises that the tracks meet. The drive goes on after a touch.'
   echo '- The simulation has no sensor faults, no lost telemetry and no slide. The odometry has a slip of 10 %. Faults of the loop itself are'
   echo '  tested in `tests/core/atem/feel_forward_test.cpp`, with a row for each transition.'
 } >"$page"

@@ -27,8 +27,8 @@ trap 'rm -f "$page"' EXIT
   echo 'Three hazards remain at the default rate. One is a gap whose far edge lies within 0.02 m of the pivot. There the first element loses less'
   echo 'load than its noise. Another is a fall that begins within the last 0.02 m before the horizon. The third is a slot of less than 0.05 m.'
   echo
-  echo 'The target is at most 1 false CLEAR in 1000 scenes with a step, and CLEAR in 70 % of the scenes whose felt ground is flat (*flat%*).'
-  echo 'The default rate reaches the first in the total, though not on each kind of soft ground. It reaches the second in few rows:'
+  echo 'The first target is at most 1 false CLEAR in 1000 scenes with a step. The second is CLEAR in 70 % of the scenes whose felt ground is'
+  echo 'flat (*flat%*). The default rate reaches the first in the total, though not on each kind of soft ground. It reaches the second in few rows:'
   echo 'level ground, the console'"'"'s press, and two tracks or a memory (below). The rate 0.01 reaches the second with many false CLEAR.'
   echo
   echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt. The readings seldom distinguish'

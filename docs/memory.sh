@@ -63,7 +63,8 @@ bench() {
   } >>"$page"
 }
 
-# Prints the errors with full presses and with light ones every 5 cm, the latter also by networks that learnt from them.
+# Prints the errors with full presses and with light ones every 5 cm. Networks that learnt from light ones also estimate
+# them.
 press_often() {
   often='--terrain long_profiles.csv --spacing 0.05'
   show --drives "$drives" $often
@@ -101,11 +102,11 @@ method `trail` estimates a scene from its readings and from that memory. `core/t
 - **Record** (`trail_record.h`): it covers the last 3 m. It holds the attitude and the robot's lower envelope every 2 cm of way. It also
   holds the forces of every press. Dead reckoning places them. A tight turn, a second without telemetry or a jump of the odometry empties
   it.
-- **History** (`trail_history.h`): what the record tells at a scene. It has pitch and roll at ten places behind the robot. For each bin it
+- **History** (`trail_history.h`): what the record holds at a scene. It has pitch and roll at ten places behind the robot. For each bin it
   has the lowest place of the robot that passed above it. It also has the load and height of the force elements that pressed near it.
 - **Ways back**: networks know ways forward alone. Where the robot drives back, the record drops what it learnt at the places ahead, except
   the arm's readings. With them, bands of felt bins covered only 50 to 70 % while reversing: the truth lay above.
-- **Felt earlier**: the history also tells which tenths of a bin the flippers pressed from an earlier pose. It also holds the heights that
+- **Felt earlier**: the history also holds which tenths of a bin the flippers pressed from an earlier pose. It also holds the heights that
   the arm measured. A bin that earlier and present presses cover is *remembered*. Under three conditions it counts as felt for the verdict's
   horizon. Dead reckoning adds at most 30 mm to its height. The robot has not turned aside by half a flipper's width. An element ahead
   carries load now. One sd of slip is taken from both ends of each stretch. A suspected sensor ends it, and a robot without a heading
@@ -114,10 +115,10 @@ method `trail` estimates a scene from its readings and from that memory. `core/t
 - **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
   simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
 - **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of
-  bins and sides. Each drive gives one of them: the errors along a drive are nearly one error, and bands would be too narrow. The mean error of
-  these scenes does not correct the prediction.
-- **Their expected size**: a linear layer tells the logarithm of a bin's error from the networks' inputs and from how much the networks differ.
-  The errors of similar scenes are scaled by it. So bands narrow where many presses are remembered, and widen where little is.
+  bins and sides. Each drive gives one of them. The errors along a drive are nearly one error, and more of them would make bands too narrow. The
+  mean error of these scenes does not correct the prediction.
+- **Their expected size**: a linear layer predicts the logarithm of a bin's error. It takes the networks' inputs and how much the networks
+  differ. The errors of similar scenes are scaled by it. So bands narrow where many presses are remembered, and widen where little is.
 
 Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`. A warning says
 so. What the arm measured earlier then still counts. Ground felt earlier does not, because the networks alone know its height. Where the
@@ -194,10 +195,10 @@ members is a ground with posts every 0.05 m, and the robot's place on it. The me
 moves the robot on each member, with a slip of its own. At each press, the rest pose on each member predicts the readings. So it does after
 every 0.12 m of way without a press, for pitch and currents.
 
-The differences to the measured readings then correct each member: its ground behind and ahead, the robot's place, and the heights of the
-bins. The readings have the noise of the simulated sensors, and that of ground through posts. *Reach* localises: corrections of the ground
-fall with the distance from the robot. *Relaxation* inflates: it is the share of the spread before an update that is kept. Both are
-chosen on drives of another seed, for the least mean error.
+The differences to the measured readings then correct each member. They correct its ground behind and ahead, the robot's place, and the
+heights of the bins. The readings have the noise of the simulated sensors, and that of ground through posts. *Reach* localises:
+corrections of the ground fall with the distance from the robot. *Relaxation* inflates: it is the share of the spread before an update
+that is kept. Both are chosen on drives of another seed, for the least mean error.
 
 The smoother knows that the ground is hard, the robot's shape and weight, and the range of press torques. Its heights are those after
 the press of their scene, as of the other methods. Its CPU time is that of the way since the last stop and of the press. Few drives are
@@ -214,7 +215,7 @@ features. Here they also get 38 features of the history (`tests/bench/drive_hist
 
 - *pitch*: at ten places behind the robot along the way.
 - *passed*: how far the lowest place of the robot that passed above a bin lies under the present robot.
-- *load*, *pressed*: the load of the force elements that pressed near a bin earlier, and how far they lie under the robot. Odometry
+- *load*, *pressed*: load of the force elements that pressed near a bin earlier, and their distance below the robot. Odometry
   carries them.
 - *way*: the length of the memory.
 
@@ -224,8 +225,8 @@ of the process with more scenes. Then each process keeps its most relevant input
 on the drives that chose for the smoother, for the least mean error.
 
 All scenes of the training drives give the weights, through at most 600 inducing rows as in `local`. Bands come from the errors of training
-scenes, each predicted without its own drive. The rows *scene* are of the same processes with the scene's features alone, the rows *history*
-of those with the chosen inputs. Their CPU time is without that of the history. The shipped networks have learnt from more drives.
+scenes, each predicted without its own drive. The rows *scene* are of the same processes with the scene's features alone. The rows *history*
+are of those with the chosen inputs. Their CPU time is without that of the history. The shipped networks have learnt from more drives.
 
 TEXT
 relate

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Makes the pictures of the README, of docs/manual.md and of docs/strip.md again from a release build. They show the
-# console on its simulated robot, also on ground that differs left and right, the review of the shipped session, and the
-# strip of another one. Nine states come from tests/app/console/screens/screens_test.cpp, and two of a drive of 5 m from
-# tests/app/console/strip_console_test.cpp. Needs imagemagick to make the files smaller.
+# console on its simulated robot, also on ground that differs left and right. They also show the review of the shipped
+# session and the strip of another one. Nine states come from tests/app/console/screens/screens_test.cpp, and two of a
+# drive of 5 m from tests/app/console/strip_console_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."

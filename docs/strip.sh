@@ -13,8 +13,9 @@ trap 'rm -f "$page"' EXIT
 # The strip of felt ground
 
 The robot keeps what it felt along its way. The strip holds the ground in bins of 0.1 m, left and right. Each bin has a height, its 80 %
-band and the time of its scene. It also states how the bin was felt: *arm*, *contact* (a front flipper pressed on the whole bin), *track*
-or *in part*. It is *bounded* if the robot was above it and did not press, else *not felt*. `core/strip/strip.h` is the contract.
+band and the time of its scene. It also states how the bin was felt: *arm*, *contact*, *track* or *in part*. At a *contact* a front flipper
+pressed on the whole bin. The bin is *bounded* if the robot was above it and did not press, else *not felt*. `core/strip/strip.h` is the
+contract.
 
 ## How it is built
 
@@ -39,7 +40,7 @@ A new section begins, and nothing is joined over its begin, when one of these ha
 
 - the robot turns by more than 0.1 rad within 0.3 m;
 - no telemetry comes for a second;
-- the reported way jumps: between two lines by more than 1.5 m/s and 0.15 m, or by more than 1 m;
+- the reported way jumps between two lines. A jump is more than 1 m, or more than 0.15 m at more than 1.5 m/s;
 - there is no odometry, or the odometry or the pitch is suspected. Then nothing is entered;
 - the operator clears the ground, or another model is loaded.
 
@@ -65,7 +66,7 @@ only the ground behind it is drawn. Ground that was not felt is not drawn, nor g
 nothing: the verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot
 again. Behind the strip stand up to eight sections from before a break, thin and grey. Each lies behind a gap with a dashed rule and the
 reason. They have no known place relative to the robot. A review shows the same strip. It reads a long session from its begin while it is
-open. Until it has reached the shown moment, ground that was felt 10 to 15 min before it, or earlier, is missing.
+open. Until it has reached the shown moment, ground felt 10 to 15 min before it, or earlier, is missing.
 
 ![Remembered ground behind the robot, under it and ahead of it](screens/strip_live.png)
 
@@ -94,7 +95,7 @@ The strip does not hold the offset between two sections. The cloud therefore lay
 section in its own frame.
 
 `--out strip.svg`, `.png`, `.pdf` or `.html` draws both sides with their 80 % bands. Each piece has 6 m, equal axes and a scale. The sides
-differ by line and band: the right one is dashed and hollow. Marks tell how a bin was felt, filled ones by touch. A bracket marks the newest
+differ by line and band: the right one is dashed and hollow. Marks show how a bin was felt, filled ones by touch. A bracket marks the newest
 estimate; all else is remembered. An SVG keeps the columns above in its `<metadata>`. This is the strip of a drive by
 [feel forward](manual.md#feel-forward), from the session `feel_forward.tts` that the program ships:
 
@@ -126,8 +127,8 @@ TEXT
   echo '```'
   cat <<'TEXT'
 
-The last table compares the ledger with the truth: *in 80%* is the share of touches within the widened bands, *truth* the share of true heights
-within the bands. A console has no truth; its ledger stands for it.
+The last table compares the ledger with the truth. *in 80%* is the share of touches within the widened bands. *truth* is the share of true
+heights within the bands. A console has no truth; its ledger stands for it.
 
 Errors are in mm, *width* is that of the 80 % band. The rule and the weight of shared ground were chosen on such drives. The strip decides nothing:
 the verdict rests on the estimate of the present scene.

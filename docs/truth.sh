@@ -100,8 +100,8 @@ are those before the decisions.
 
 - **Cells.** Under each scene, points fall into cells of 2 cm along four lines. These are the left and right track and flippers of the
   [robot file](robot.md), each as wide as the part. A cell keeps up to 48 heights as a fair sample. Memory grows with the scenes, at most
-  243 MB, and not with the cloud: 20 million points around 200 scenes in one hall took 14 s and 31 MB on two busy processors. At
-  most 500 scenes may lie over the same ground: choose a run with `--run`, or split the file.
+  243 MB, and not with the cloud. 20 million points around 200 scenes in one hall took 14 s and 31 MB on two busy processors. At most 500
+  scenes may lie over the same ground: choose a run with `--run`, or split the file.
 - **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out. In a
   noisy cloud that is three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.
 - **Ground.** A cell's height is the median of its points. Among plants, `--percentile 15` takes the ground below them. On bare ground it is

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes default.card.toml. It states when and on what ground the shipped model was trained, and the errors of its
+# Makes default.card.toml. It states when and on what ground the shipped model was trained. It has the errors of its
 # methods on generated ground of another seed. Needs the repository's history. It takes minutes on two cores.
 # Usage: resources/models/make_card.sh path/to/terratact
 set -eu

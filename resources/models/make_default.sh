@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes default.ttm, the model the program ships: one_plane.ttm, every bit of what it knows of one plane, and two tracks.
-# These learn from 26 000 simulated scenes over ground that differs left and right, three drives of ten on soft ground,
-# with exact heights; 12 000 of them are kept. Once it is committed, make_card.sh makes its card.
+# These learn from 26 000 simulated scenes with exact heights over ground that differs left and right. Three drives of
+# ten are on soft ground. 12 000 of the scenes are kept. Once it is committed, make_card.sh makes its card.
 # Usage: resources/models/make_default.sh path/to/terratact
 set -eu
 terratact=$(realpath "$1")

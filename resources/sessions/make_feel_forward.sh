@@ -1,8 +1,8 @@
 #!/bin/sh
-# Records resources/sessions/feel_forward.tts again. The console runs on its simulated robot, on level ground with a kerb
-# of 0.15 m on the left side, 2.5 m ahead. Keys drive it like an operator's: arm, and hold F until feel forward ends by
-# itself and asks. If it asks before it has advanced 12 times, the operator drives on by hand and holds F again. No probe
-# is approved. Takes two minutes on an idle machine. Needs xvfb and xdotool.
+# Records resources/sessions/feel_forward.tts again. The console runs on its simulated robot, on level ground. On the
+# left side a kerb of 0.15 m is 2.5 m ahead. Keys drive it like an operator's: arm, and hold F until feel forward ends
+# by itself and asks. If it asks before it has advanced 12 times, the operator drives on by hand and holds F again. No
+# probe is approved. Takes two minutes on an idle machine. Needs xvfb and xdotool.
 #   resources/sessions/make_feel_forward.sh
 set -eu
 cd "$(dirname "$0")/../.."

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Records resources/sessions/two_tracks.tts again. The console runs on its simulated robot, on ground with a cross slope of
-# 4 degrees and a kerb of 0.15 m on the left side. Keys drive it like an operator's: arm, drive up to the kerb, explore,
-# approve the proposed probe of a side, wait for the arm, drive on. Takes two minutes on an idle machine. Needs xvfb
-# and xdotool.
+# Records resources/sessions/two_tracks.tts again. The console runs on its simulated robot. The ground has a cross slope
+# of 4 degrees and a kerb of 0.15 m on the left side. Keys drive it like an operator's: arm, drive up to the kerb,
+# explore, approve the proposed probe of a side, wait for the arm, drive on. Takes two minutes on an idle machine. Needs
+# xvfb and xdotool.
 #   resources/sessions/make_two_tracks.sh
 set -eu
 cd "$(dirname "$0")/../.."
