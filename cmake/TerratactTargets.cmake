@@ -145,8 +145,8 @@ endfunction()
 
 # Target headers: compiles every header of every FILE_SET alone. A header that relies on its includer, or on a library
 # its target does not link, fails. Most of the time goes into a few large foreign headers, so a header that includes one
-# uses it precompiled. The includes are read at configure time; a header that drops such an include is checked with it
-# until the next configuration.
+# uses it precompiled. The includes are read at configure time. A header that drops such an include keeps it in this
+# check until the next configuration.
 function(terratact_check_headers)
   add_custom_target(headers)
   set(large QWidget QObject QPen QString Eigen/Core thread memory string functional vector none)

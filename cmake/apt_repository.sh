@@ -2,7 +2,7 @@
 # Adds Debian packages to a signed apt repository, and makes the repository and its key if they do not exist:
 #   cmake/apt_repository.sh KEYS FOLDER PACKAGE.deb...
 # KEYS is a private folder for the key (mode 0700). FOLDER is served as it is, by a web server or as file:///FOLDER. The
-# release of a package is told by its version: 0.2.0~deb12 goes to bookworm, 0.2.0~deb13 to trixie. Of several
+# release of a package follows from its version: 0.2.0~deb12 goes to bookworm, 0.2.0~deb13 to trixie. Of several
 # versions apt is offered the newest one that was added; FOLDER/README says how to use the repository.
 set -euo pipefail
 [ $# -ge 3 ] || { sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2; }

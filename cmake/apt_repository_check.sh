@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests apt_repository.sh on a clean Debian of a release; needs root and a network:
 #   cmake/apt_repository_check.sh PACKAGE.deb RELEASE
-# apt installs the package from a signed repository, upgrades it to a higher version that was added later, and refuses
+# apt installs the package from a signed repository. It upgrades it to a higher version that was added later. It refuses
 # the repository after somebody changed it. The higher version is the same package with another number. The log is
 # repository.log beside the package.
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cross-builds for arm64 in a clean Debian of this machine's architecture, and tests there under qemu-user; needs root and
-# a network:
+# Cross-builds for arm64 in a clean Debian of this machine's architecture. Tests there under qemu-user. Needs root and a
+# network:
 #   cmake/arm64.sh [bookworm|trixie] [package] [tests] [numbers]      default: bookworm; without names: all
 #   package  builds the arm64 package; lintian, apt-get install, both programs, apt-get purge
 #   tests    builds and runs the tests of the core, without those that $slow names
@@ -96,8 +96,8 @@ estimate() {
   (cd "$out" && "$BESIDE" "${options[@]}" --out "beside_$1.csv")
 }
 
-# differences FILE FILE: prints how many numbers and words of two CSV files differ, and the largest difference of each
-# column of numbers that differs.
+# differences FILE FILE: prints how many numbers and words of two CSV files differ. Of each column of numbers it prints
+# the largest difference.
 differences() {
   awk -F , -v name="$(basename "$1" .csv)" '
     function number(x) { return x ~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/ }

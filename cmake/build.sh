@@ -2,7 +2,7 @@
 # Configures a preset if it is new or CMakePresets.json changed, and builds it:
 #   cmake/build.sh PRESET             builds the whole preset, tests included
 #   cmake/build.sh PRESET TARGET...   builds these targets; a new configuration leaves the tests out
-# On a terminal the build shows its progress; otherwise it prints only failures.
+# On a terminal the build shows its progress. Otherwise it prints only failures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=$1
@@ -18,7 +18,7 @@ fail() {
 }
 
 # CMake's own re-runs do not read presets. --fresh: if a preset names another compiler, CMake keeps nothing else of it in
-# an old cache. A build made for a few targets lacks the tests; they are added to it, and what is built is kept.
+# an old cache. A build made for a few targets lacks the tests. They are added to it, and what is built is kept.
 configure() {
   echo "building preset $preset (the first time takes minutes)"
   cmake --preset "$preset" "$@" >"$log" 2>&1 || fail "configuring"

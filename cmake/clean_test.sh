@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, builds and tests the committed files in a clean root of each release, as a new user would; needs root and a
+# Sets up, builds and tests the committed files in a clean root of each release, as a new user would. Needs root and a
 # network:
 #   cmake/clean_test.sh [bookworm] [trixie]      without names: both
 # It runs ./run.sh --headless and ./test.sh. The logs are build/clean/RELEASE.log; table.txt has the steps with their

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Debian package of each release in a clean root of that release, and tests it and an apt repository of it in
-# others; needs root and a network:
+# Builds the Debian package of each release in a clean root of that release. Tests it and an apt repository of it in
+# other roots. Needs root and a network:
 #   cmake/packages.sh [bookworm] [trixie]      without names: both
 # Packages are built from the committed files. For each release build/packages/RELEASE has the package, a log of the
 # build, and what package_check.sh and apt_repository_check.sh leave. build/packages has table.txt, the steps with their

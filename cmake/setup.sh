@@ -131,8 +131,8 @@ describe_archive() {
 
 # fetch_source PACKAGE LEAST DIR: puts a source tarball of the major version of LEAST into DIR. It comes from the first
 # suite that has LEAST or newer, through a private set of apt lists. apt trusts only an index that the archive's key
-# signed, and checks the tarball by that index. The machine's configuration cannot relax this. An index may be old:
-# a mirror may stand still, and the tarball is checked all the same. If no suite has it, DIR is removed.
+# signed, and checks the tarball by that index. The machine's configuration cannot relax this. An index may be old,
+# because a mirror may stand still. The tarball is checked even so. If no suite has it, DIR is removed.
 fetch_source() {
   local package=$1 least=$2 dir=$3 suite version mirror keyring components suites
   describe_archive
@@ -195,7 +195,7 @@ build_gpiod() {
     make -j"$(nproc)" && make install
 }
 
-# Some releases have these parts in a package of their own, or name the package after the version of the compiler.
+# Some releases have these parts in another package, or name the package after the version of the compiler.
 install_by_release() {
   if [[ " $* " == *" gui "* ]] && ! compgen -G "/usr/lib/$multiarch/qt6/plugins/iconengines/libqsvgicon.so" >/dev/null; then
     install_packages "qt6-svg-plugins${arch:+:$arch}"  # the icons; on Debian 12 a part of libqt6svg6

@@ -252,8 +252,8 @@ private:
     ElidedLabel* pastBanner_ = nullptr;  ///< made at first use
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
-    ConnectWindow* connectWindow_ = nullptr;        ///< null until it is first asked for
-    SettingsFilesWindow* settingsFiles_ = nullptr;  ///< null until it is first asked for
+    ConnectWindow* connectWindow_ = nullptr;        ///< null until first requested
+    SettingsFilesWindow* settingsFiles_ = nullptr;  ///< null until first requested
     GamepadPage* gamepadPage_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;

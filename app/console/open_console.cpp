@@ -30,7 +30,7 @@ constexpr int kReopen = 1000;  // never an exit code
 struct Lasting {
     std::optional<Preferences> inForce;  ///< preferences of the previous window; empty: none
     std::optional<SessionRetention> house;
-    std::optional<ConsoleOptions> former;  ///< before the operator asked for another robot
+    std::optional<ConsoleOptions> former;  ///< before the operator requested another robot
     std::optional<Message> trouble;        ///< why that was not connected
 };
 

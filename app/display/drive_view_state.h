@@ -7,12 +7,12 @@
 
 namespace terratact {
 
-/// What a driver needs in sight; the drive strip shows it. Empty: not known, or too old.
+/// What a driver needs to see; the drive strip shows it. Empty: not known, or too old.
 struct DriveViewState {
     struct Angle {
         double angle = 0.0;  ///< [rad]
         AttitudeLevel level = AttitudeLevel::Level;
-        AttitudeLimits limits{};  ///< in force
+        AttitudeLimits limits{};  ///< active
         double tips = 0.0;        ///< tips over here [rad]
         bool operator==(const Angle&) const = default;
     };

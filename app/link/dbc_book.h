@@ -74,7 +74,7 @@ std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 /// Returns the signals present in a frame, as text.
 std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame);
 
-/// Text of a reader about a frame that a DBC file describes: its name only, or also its verdict and values.
+/// Length of a reader's text about a frame that a DBC file describes: name only, or also verdict and values.
 enum class FrameDepth : std::uint8_t { Name, Values };
 
 /// Returns a reader of the protocol's frames that decodes all others with the book; a null book decodes none.

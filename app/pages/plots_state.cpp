@@ -80,7 +80,7 @@ void PlotsState::setEnds(double begin, double end)
     from_ = to_ - span;
 }
 
-/// Keeps a part of the data in sight, and the span between its limits.
+/// Keeps a part of the data visible, and the span between its limits.
 void PlotsState::clampSpan()
 {
     const double longest = std::max(1.2 * (end_ - begin_), 60.0);

@@ -19,9 +19,9 @@ struct SessionDrive {
 };
 
 /// Returns a session's telemetry and scenes in the order of time (core/learn/data/drive_file.h). A telemetry line is
-/// kept if it differs from the last kept line by 1 cm of way, 0.005 rad of pitch or heading, or 0.5 s. onePlane: both
-/// sides get their mean, and the roll is left out. Heights are those that the session's source recorded. repeated: ids
-/// of scenes to leave out. Errors name the file: its robot reports no odometry, or it has no other scene.
+/// kept if it differs enough from the last kept line. Enough is 1 cm of way, 0.005 rad of pitch or heading, or 0.5 s.
+/// onePlane: both sides get their mean, and the roll is left out. Heights are those that the session's source recorded.
+/// repeated: ids of scenes to leave out. Errors name the file: its robot reports no odometry, or it has no other scene.
 Result<SessionDrive> sessionDrive(SessionReader& session, const RobotModel& robot, bool onePlane,
                                   const std::set<std::int64_t>& repeated);
 

@@ -40,10 +40,10 @@ struct SessionRescue {
     SavedSession saved{};    ///< valid with a reason
 };
 
-/// Closes a session whose program died. If it or its journal is damaged, if it lacks its journal or is read-only, its
-/// undamaged rows are copied to a new session; what SQLite cannot read is salvaged page by page
-/// (core/log/session_salvage.h). The old file and its journal then stay unchanged. out: the new session; empty:
-/// NAME-recovered.tts beside it.
+/// Closes a session whose program died. If it or its journal is damaged, its undamaged rows are copied to a new
+/// session. So are the rows of a session that lacks its journal or is read-only. What SQLite cannot read is salvaged
+/// page by page (core/log/session_salvage.h). The old file and its journal then stay unchanged. out: the new session;
+/// empty: NAME-recovered.tts beside it.
 /// Errors: the session is in use, is a symbolic link, or contains no valid part; `out` exists or cannot be made.
 Result<SessionRescue> rescueSession(const std::string& path, const std::string& out);
 

@@ -79,8 +79,8 @@ protected:
     QPushButton* addTool(const QString& text, const QString& tip);  ///< adds a button to the rail
     /// Adds the view menu. newWindow: text on when changes that need a new window take effect.
     void addViewTool(PreferenceStore& preferences, const QString& newWindow);
-    /// Adds the help button with the key sheet, the about text, and those demonstrations whose file exists: of one
-    /// plane, then of two tracks.
+    /// Adds the help button with the key sheet, the about text, and the demonstrations whose file exists. The order is
+    /// one plane, two tracks.
     void addHelpTool(const QStringList& demonstrations = {},
                      const std::function<void(const QString& path)>& open = {});
     void addBelowPages(QWidget* widget);

@@ -31,7 +31,7 @@ namespace terratact {
 ///   Idle, Presenting, Failed ── loopRequested, held ──▶ Halting, Pressing, Estimating, Presenting
 ///        Presenting ── nothing forbids it ──▶ Advancing ── advanced ──▶ Halting …
 ///   A result that forbids the advance, or a proposed probe, ends the loop. The exploration goes on.
-///   Let go: Halting, Pressing and Advancing ▶ Idle. Elsewhere nothing moves, and only the loop ends.
+///   Released: Halting, Pressing and Advancing ▶ Idle. Elsewhere nothing moves, and only the loop ends.
 ///   Each end of the loop has a reason: AtemState::loopEnd.
 enum class AtemPhase : std::uint8_t {
     Idle,             ///< nothing requested

@@ -21,7 +21,7 @@ public:
     static constexpr double kSpacing = 0.01;
 
     /// Reads the next line of telemetry. A line without odometry, or a jump of the clock or
-    /// odometry, begins anew. So does a silence longer than kMaxSilence.
+    /// odometry, restarts the measurement. So does a silence longer than kMaxSilence.
     void add(const Measurement& line)
     {
         if (!line.travelled || !std::isfinite(*line.travelled)) return lines_.clear();

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, double>, 9> kTimeEndings{{{"_ns
                                                                            {"[s]", 1.0},
                                                                            {"", 0.0}}};
 
-/// A column's name in small letters without the ending that names its unit.
+/// A column's name in lower case without the ending that names its unit.
 struct NamedTime {
     std::string name;
     double unit = 0.0;

@@ -13,9 +13,9 @@ inline constexpr const char* kCsvTopic = "/csv";
 inline constexpr const char* kCsvEncoding = "csv";
 
 /// Opens a CSV file of a time series: a line with the names of the columns, then a row for each time. A
-/// field that is no number is a text. The unit of times is that of `time`, that in the name of the
-/// column, or timeUnitOf() the first rows; the last is remarked where the steps alone show it.
-/// Errors name the file, and the line or the missing column.
+/// field that is no number is a text. Times have the unit of `time`, else that in the name of the column, else
+/// timeUnitOf() the first rows. A remark names the last if only the steps show it. Errors name the file, and the line
+/// or the missing column.
 Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path,
                                                     const CsvTime& time = {});
 

@@ -36,8 +36,8 @@ struct RecordedTopic {
 class MessageDecoder {
 public:
     /// Errors state what was expected, without the topic: the encoding is unknown, or the definition is
-    /// missing, left out or cannot be parsed. A definition that the file lacks is replaced where the type is
-    /// one of core/bags/known_messages.h; one that is left out is not.
+    /// missing, left out or cannot be parsed. A definition that the file lacks is replaced if its type is in
+    /// core/bags/known_messages.h. One that is left out is not replaced.
     static Result<MessageDecoder> of(const RecordedTopic& topic);
 
     /// Errors state the cause, without the topic.

@@ -114,9 +114,8 @@ struct CsvTime {
                         ///< above 1e17 ns, above 1e14 µs, above 1e11 ms, else s
 };
 
-/// Opens a recording by its content, whatever its name: MCAP, a ROS 1 bag, a ROS 2 bag in
-/// SQLite, or CSV. csv: for a CSV file. Errors name the
-/// file, what it is, and what was expected.
+/// Opens a recording by its content, not by its name: MCAP, a ROS 1 bag, a ROS 2 bag in SQLite, or
+/// CSV. csv: for a CSV file. Errors name the file, what it is, and what was expected.
 Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const CsvTime& csv = {});
 
 }  // namespace terratact

@@ -32,8 +32,8 @@ struct CloudMessages {
 
 /// Reads the clouds of a topic in a recording, one message at a time. Calls `add` with the message,
 /// whose stamp is the recorder's time if it was 0. It returns false to end the reading. Errors name
-/// the file, the topic and the message: there is no such topic, its type is not PointCloud2, or a
-/// message cannot be decoded.
+/// the file, the topic and the message. Causes: no such topic; a type that is not PointCloud2; a
+/// message that cannot be decoded.
 Result<CloudMessages> readCloudMessages(const std::string& path, const std::string& topic,
                                         const std::function<bool(const CloudMessage& cloud)>& add);
 

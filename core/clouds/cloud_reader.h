@@ -38,9 +38,9 @@ public:
 
     virtual std::string_view format() const = 0;  ///< "PCD, binary", …
 
-    /// Replaces `block` by the next points, which may be none. Returns false after the last. Errors name
-    /// the file, the line or the byte, what was expected and what to do. One is a file that ends before
-    /// the points that its header declares.
+    /// Replaces `block` by the next points, which may be none. Returns false after the last. Errors name the file, the
+    /// line or the byte, what was expected and what to do. A file that ends before the points that its header declares
+    /// is an error.
     virtual Result<bool> next(std::vector<CloudPoint>& block) = 0;
 
     std::uint64_t points() const { return points_; }  ///< points read so far

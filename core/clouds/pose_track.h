@@ -58,9 +58,8 @@ using PoseTracks = std::map<std::string, PoseTrack>;
 ///   TUM   lines "time x y z qx qy qz qw", separated by blanks; lines with # are comments
 ///   CSV   columns time (t_s, time, timestamp, t or stamp, in s), x, y, z (or x_m …), qx, qy, qz, qw;
 ///         and, for several drives in one file, run
-/// Errors name the file, the line, what was expected and what to do. A time does not rise. The
-/// length of a quaternion is not 1. A jump is faster than PoseLimits::maxSpeed and longer than 0.3
-/// m.
+/// Errors name the file, the line, what was expected and what to do. Causes besides format: a time that does not rise;
+/// a quaternion whose length is not 1; a jump faster than PoseLimits::maxSpeed and longer than 0.3 m.
 Result<PoseTracks> readPoses(const std::string& path, const PoseLimits& limits);
 
 /// Reads the poses of the topic that the mapping names under [odometry]. From transforms, it reads

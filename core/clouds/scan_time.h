@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// Returns the time that the name of a scan's file spells [s]: the last number in it, in ns from 1e15 on.
+/// Returns the time in the name of a scan's file [s]. It is the last number there; numbers from 1e15 on are in ns.
 std::optional<double> scanTimeIn(const std::string& path);
 
 }  // namespace terratact

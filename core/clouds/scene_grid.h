@@ -70,8 +70,8 @@ public:
     /// the robot can fill with any flipper angles are its own, and left out.
     void addScan(std::span<const CloudPoint> points, const CloudPose& base, const CloudPose& mount);
 
-    /// Returns the lowest boundary of the robot above the middle of a cell over all poses of the drive,
-    /// in the DEM frame. +infinity: the robot was never there.
+    /// Returns the lowest boundary of the robot above the middle of a cell, DEM frame. All poses of the drive count.
+    /// +infinity: the robot was never there.
     double ceiling(std::size_t place, TruthLine line, std::size_t cell) const
     {
         return static_cast<double>(ceilings_[indexOfCell(place, line, cell)]);

@@ -10,7 +10,7 @@ namespace terratact {
 ///   y sin φ,   y: of the bin's line (core/terrain/ground_lines.h), left positive; φ: roll
 /// higher. Errors of both sides count as independent: the right side uses settings.seed + 1. Chains of
 /// one side may end before those of the other: the surplus draws of that side are dropped. The
-/// sampling methods know no other way to tell left and right, because their processes have learnt one
+/// sampling methods have no other way to distinguish left and right, because their processes have learnt one
 /// plane. An arm's reading counts on its side. Throws as estimateTerrain().
 TwoTrackEstimate estimateEachSide(const TwoTrackReadings& s, const SideArms& arms,
                                   const RobotModel& robot, const Models& models,

@@ -33,8 +33,8 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
 /// (addRemembered()). plane: of the history. Nothing is returned without a usable history.
 EarlierTouch earlierArm(const TrailHistory* history, std::size_t plane);
 
-/// Returns true if an estimate by Local uses a height that the arm measured earlier: in a bin that the
-/// present scene did not measure. earlier: of the estimate.
+/// Returns true if an estimate by Local uses a height that the arm measured earlier. The present scene did not measure
+/// that bin. earlier: of the estimate.
 bool usesEarlierArm(const TerrainEstimate& estimate, const EarlierTouch& earlier);
 
 /// Adds the warning that the networks' memory is not used. earlier: of the estimate.

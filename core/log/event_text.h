@@ -20,9 +20,10 @@ std::optional<DisarmCause> causeOf(const EventRow& event);
 /// Returns the event with this text in English, and as a message if that has anything to translate.
 EventRow withText(EventRow event, Message text);
 
-/// Returns the event's text for the operator: that of describe() for a failure or a cause of
-/// disarming, else the event's message. Where it has none: recordedSentence() of the English text,
-/// but a note of the operator as it is. Sentences of earlier versions become those of today.
+/// Returns the event's text for the operator. It is that of describe() for a failure or a cause of
+/// disarming, else the event's message. Without a message it is recordedSentence() of the English
+/// text. A note of the operator stays as it is. Sentences of earlier versions become those of
+/// today.
 Message messageOf(const EventRow& event);
 
 /// Returns the event's subject for the operator: the text of describe() for a phase; else the name

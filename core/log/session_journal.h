@@ -18,8 +18,9 @@ void requireOwnJournal(const std::string& path, SqliteFile& session);
 /// Returns true if requireOwnJournal() finds another session's journal.
 bool hasForeignJournal(const std::string& path);
 
-/// Returns a sentence about the damage of the journal beside a session in WAL mode, and about how
-/// much of it is not read (core/store/sqlite_journal.h). Empty: it is whole, empty or missing.
+/// Returns a sentence about the damage of the journal beside a session in WAL mode. It states how
+/// much of the journal is not read (core/store/sqlite_journal.h). Empty: it is whole, empty or
+/// missing.
 std::optional<Message> damageOfJournal(const std::string& path);
 
 }  // namespace terratact

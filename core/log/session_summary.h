@@ -66,9 +66,9 @@ struct SessionSummary {
     bool operator==(const SessionSummary&) const = default;
 };
 
-/// Reads a summary of a session from an untrusted source: no frames, and the draws of the last
-/// estimate of each scene. The cost grows with scenes and events, not with frames. The rows are
-/// checked, but not against the chain of hashes: SessionReader proves them.
+/// Reads a summary of a session from an untrusted source. It has no frames. Of each scene it has the draws of the last
+/// estimate. The cost grows with scenes and events, not with frames. The rows are checked, but not against the chain of
+/// hashes: SessionReader proves them.
 ///
 /// The file is opened read-only and no file is left beside it, even if it was not closed. Its writer
 /// is not disturbed, also one of this process. A verdict is that of verdictOf() for the recorded

@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// Returns the position of an activity or a refusal among its enumerators, by the English text that
-/// describes it; empty for an unknown text.
+/// Returns the position of an activity or a refusal among its enumerators. text: the English text
+/// that describes it. Empty: the text is unknown.
 std::optional<double> enumeratorOf(Quantity quantity, const std::string& text);
 
 }  // namespace terratact

@@ -20,8 +20,9 @@ struct ClockStep {
 /// [s], and a single row by kMaxDisorder.
 inline constexpr double kMaxDisorder = 1.0, kMaxJitter = 1e-3;
 
-/// Returns how far a time lies before the one ahead of it [s], if the clock was set between them:
-/// more than `disorder` [s] back, or more than ten years forward.
+/// Returns by how much `time` lies before `before` [s] if the clock was set between them. Empty: it
+/// was not. The clock was set if it went back by more than `disorder` [s], or forward by more than
+/// ten years.
 std::optional<double> clockStepBetween(std::int64_t before, std::int64_t time,
                                        double disorder = kMaxDisorder);
 
@@ -36,8 +37,8 @@ public:
     EvenClock& operator=(const EvenClock&) = delete;
 
     /// Follows the time of the next row of a table [ns]. Each list of samples may lack those of some
-    /// rows. eachList(visit) calls visit(samples) with every list, without the samples of this row,
-    /// in the order of the later calls of make().
+    /// rows. eachList(visit) calls visit(samples) with every list, without the samples of this row. The order is that
+    /// of the later calls of make().
     template <class EachList>
     void addRow(std::int64_t time, EachList eachList)
     {

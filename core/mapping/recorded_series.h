@@ -51,19 +51,18 @@ struct RecordedSeries {
 };
 
 /// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll, poses
-/// and speed become way and heading: the way is summed along the forward axis. Errors name the file, the
-/// topic, and what to do. A topic or field is missing that the pose needs, or the transforms lack a frame.
-/// The topics' times do not overlap. There are more than mostSamples() values. At most half of a topic's
-/// messages can be decoded. These are left out with a remark: values that are not finite, texts instead of
-/// numbers, messages that cannot be decoded, and missing optional fields. Where the clock was set, times
-/// continue evenly (EvenClock).
+/// and speed become way and heading: the way is summed along the forward axis. Errors name the file, the topic, and
+/// what to do. Causes: a missing topic or field that the pose needs; a frame that the transforms lack; times of topics
+/// that do not overlap; more than mostSamples() values; a topic of which at most half of the messages can be decoded.
+/// Left out with a remark are values that are not finite, texts instead of numbers and missing optional fields. So are
+/// messages that cannot be decoded. Where the clock was set, times continue evenly (EvenClock).
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot);
 
 inline constexpr std::size_t kMaxSamples = 20'000'000;  ///< 480 MB
 
-/// Returns the most mapped values of a recording of this size [bytes]: four for each byte, at least a million, at most
-/// kMaxSamples. A small file asks for little memory, however it is compressed.
+/// Returns the largest number of mapped values of a recording of this size [bytes]. It is four for each byte, at least
+/// a million, at most kMaxSamples. A small file asks for little memory, however it is compressed.
 std::uintmax_t mostSamples(std::uintmax_t recordingBytes);
 
 }  // namespace terratact

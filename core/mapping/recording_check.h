@@ -12,8 +12,8 @@ namespace terratact {
 
 /// Returns warnings about a recording under a mapping, one sentence each:
 ///   - gaps of more than Mapping::maxGap in a topic;
-///   - topics whose header.stamp differs from the recorder's time by more than 1 s, or by more than
-///     0.1 s from that of another topic;
+///   - topics whose header.stamp has an offset of more than 1 s from the recorder's time;
+///   - topics whose offsets differ by more than 0.1 s;
 ///   - angles beyond a full turn (a pitch or roll beyond a quarter or half turn): degrees taken for
 ///     radians; degrees that never leave ±3.2: radians taken for degrees;
 ///   - a sensor that never changes while another one does: stuck;

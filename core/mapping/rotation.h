@@ -11,8 +11,8 @@ using Rotation = std::array<std::array<double, 3>, 3>;
 /// unless its length is finite and above 0.
 Rotation rotationOf(double x, double y, double z, double w);
 
-/// Returns the rotation about z by yaw, then about the new y by pitch, then about the new x by
-/// roll. Angles [rad] are defined as by ROS (REP 103).
+/// Returns the rotation about z by yaw, about the new y by pitch, then about the new x by roll.
+/// Angles [rad] are defined as by ROS (REP 103).
 Rotation rotationOfAngles(double roll, double pitch, double yaw);
 
 Rotation product(const Rotation& a, const Rotation& b);

@@ -51,7 +51,7 @@ public:
     struct Stamp {
         std::int64_t stamp = 0, recorded = 0;
     };
-    /// Returns the times at which the pose between two frames was sent: those of the transform of the chain that
+    /// Returns the times at which the pose between two frames was sent. They are those of the chain's transform that
     /// changed most often, in the order of stamps, each once. One time if all are fixed; empty if no chain joins both.
     std::vector<Stamp> stamps(std::string_view outer, std::string_view inner) const;
 

@@ -105,7 +105,7 @@ RobotShape shapeAt(const RobotModel& robot, const Pose& pose)
 }
 
 // The two common tangents touch circle a and b where the outward normal n satisfies n·(b − a) = ra − rb:
-// n = (d cos φ ± d⊥ sin φ) with cos φ = (ra − rb) / |b − a| and d the unit vector from a to b.
+// n = d cos φ ± d⊥ sin φ, cos φ = (ra − rb) / |b − a|. d is the unit vector from a to b.
 double lowerBoundary(const TaperedHull& hull, double x)
 {
     if (x < std::min(hull.a.x - hull.ra, hull.b.x - hull.rb)) return kInfinity;

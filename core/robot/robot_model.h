@@ -85,9 +85,8 @@ struct RobotModel {
     /// Positions of the elements of the rear flippers' arrays; empty: the rear flippers have none.
     std::optional<std::array<double, kForceElements>> rearElementShare{};
     double forceSaturation = 0.0;  ///< largest reading of an element [N]
-    /// Force arrays in display order. An element of a side belongs to at most one array. Of the two
-    /// elements with the same number, at least one belongs to an array: otherwise every estimate would
-    /// lack a force.
+    /// Force arrays in display order. An element of a side belongs to at most one array. Of the two elements with the
+    /// same number, at least one belongs to an array. Otherwise every estimate would lack a force.
     std::vector<ForceArrayLayout> forceArrays = leftAndRightArrays();
     ForceCalibration forceCalibration;
     double torquePerAmpere = 0.0;   ///< [N m / A] of one flipper motor

@@ -14,9 +14,9 @@
 
 namespace terratact {
 
-// Strict, bounded reader for TOML files from users. Every refusal names its line and key; of
-// a missing key, the line where its table begins, and none for the file's top section. Only core
-// sources that read a file format include this header.
+// Strict, bounded reader for TOML files from users. Every refusal names its line and key. For a missing key it names
+// the line where its table begins. It names no line for the file's top section. Only core sources that read a file
+// format include this header.
 
 /// Refusal of a file: a sentence without the file's name. readTomlFile() catches it.
 class TomlRefused : public Failure {

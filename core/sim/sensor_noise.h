@@ -34,10 +34,10 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
 TwoTrackReadings noisy(const TwoTrackReadings& exact, const SensorNoise& noise, double saturation,
                        std::mt19937_64& rng);
 
-/// Returns the forces of both sides for means of measurement.force, on ground that loads both sides
-/// alike. Each is the mean plus or minus a difference with the noise of a mean, and stays within 0 and
-/// the saturation. A mean beyond them is that of both sides. An element on one side only reads the
-/// mean. Elements that the robot lacks or that are missing are empty.
+/// Returns the forces of both sides for means of measurement.force, on ground that loads both sides equally. Each is
+/// the mean plus or minus a difference with the noise of a mean. It stays within 0 and the saturation. A mean beyond
+/// them is that of both sides. An element on one side only reads the mean. Elements that the robot lacks or that are
+/// missing are empty.
 SideForces sidesOf(const Measurement& measurement, const SensorNoise& noise,
                    const RobotModel& robot, std::mt19937_64& rng);
 

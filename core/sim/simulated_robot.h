@@ -25,8 +25,8 @@ public:
         double rearAngle = 0.1;     ///< [rad] held
         double drivingAngle = 0.7;  ///< [rad] front flippers while driving
         /// [rad] front flippers in an advance of at most 0.1 m. Their tips then come no further ahead
-        /// than those of flat flippers before it. Flippers that pressed at a steep angle reached less
-        /// far, so the tips can meet a wall that was not felt.
+        /// than those of flat flippers before it. Flippers that pressed at a steep angle reached less far. So the tips
+        /// can meet a wall that was not felt.
         double advancingAngle = 1.2;
         double probeSeconds = 45.0;
         SensorNoise noise;

@@ -123,8 +123,8 @@ void append(std::vector<WatchedLine>& lines, std::vector<WatchedLine> more)
     }
 }
 
-/// Returns the lines of a turn. At heading ψ, a robot on a slope has the pitch ½ θ (1 + cos ψ) + ½
-/// θ' (1 − cos ψ). θ and θ' are the pitches at both ends of the turn.
+/// Returns the lines of a turn. The pitch at heading ψ, with θ and θ' at both ends of the turn:
+///   ½ θ (1 + cos ψ) + ½ θ' (1 − cos ψ)
 std::vector<WatchedLine> turning(Drive& out, Drive& back, double period, const Measurement& last)
 {
     std::vector<WatchedLine> lines;

@@ -34,7 +34,7 @@ inline constexpr double kPressingTime = 0.8, kRaisingTime = 0.8;
 /// the rest pose with the front flippers at style.drivingAngle. The search for it begins at the
 /// attitude of the line before. At a stop follows a scene with pressed flippers and the true heights.
 /// Its base x and its odometry are those of the line before. A stop without a press has no scene.
-///   travelled   (1 + common) Σ (1 + slip) trackWay();  slip ~ N(0, slipShare²), drawn anew after
+///   travelled   (1 + common) Σ (1 + slip) trackWay();  slip ~ N(0, slipShare²), drawn again after
 ///               each stop;  common ~ N(0, driveSlip²), drawn once per drive
 ///   time        way along x / kDriveSpeed, plus the durations above
 /// Readings have conditions.noise, and so has the truth unless noise.height is 0. The gap erases

@@ -44,8 +44,9 @@ public:
     /// Calls textOf() and over().
     static Result<CsvReader> open(const std::string& path);
 
-    /// Reads a text; errors call it `name`. Errors: it is empty, it is UTF-16, a workbook or
-    /// another known kind of file. Its fields may also have another separator, or two of them.
+    /// Reads a text; errors call it `name`. Errors: it is empty, UTF-16, a workbook or another
+    /// known kind of file. Fields with another separator, or with two kinds of separators, are
+    /// errors, too.
     static Result<CsvReader> over(std::string name, std::string text);
 
     /// Goes to the next record. Returns false after the last. Errors: an unclosed quote, text

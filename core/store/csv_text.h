@@ -11,8 +11,8 @@
 namespace terratact {
 
 // CSV text fields. A spreadsheet computes a cell that begins with = + - @, a tab, a line end or
-// their wide forms. A leading apostrophe makes it a text. A spreadsheet that separates at ; takes a
-// quote inside a line for a letter, so a quoted text may become several cells.
+// their wide forms. A leading apostrophe makes it a text. A spreadsheet that separates at ; takes a quote inside a line
+// for an ordinary character. So a quoted text may become several cells.
 
 /// Returns a text as a CSV field. A number stays as it is. In another text, each part that would be
 /// a formula gets a leading apostrophe. Parts begin with the text and behind semicolons, tabs and

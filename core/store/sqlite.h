@@ -24,13 +24,12 @@ public:
     static SqliteFile openUntrusted(const std::string& path, std::uintmax_t most);
 
     /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
-    /// the structure on request. A file in WAL mode is still being written, or its writer died. It
-    /// is read with the journal beside it, if there is one, even from a write-protected folder, and
-    /// up to the first damaged frame of the journal (core/store/sqlite_journal.h). No file is left
-    /// beside it. As long as it is open, leaveJournal() of others does nothing. It is not locked where
-    /// its index cannot be read, or is beside a journal with a damaged header. Texts and blobs have at
-    /// most `longest` bytes, and grantPasses() bounds all values and steps together: one pass, until
-    /// it is called.
+    /// the structure on request. A file in WAL mode is still being written, or its writer died. It is read with the
+    /// journal beside it, if there is one, even from a write-protected folder. It is read up to the first damaged frame
+    /// of the journal (core/store/sqlite_journal.h). No file is left beside it. As long as it is open, leaveJournal()
+    /// of other objects does nothing. It is not locked where its index cannot be read, or is beside a journal with a
+    /// damaged header. Texts and blobs have at most `longest` bytes, and grantPasses() bounds all values and steps
+    /// together: one pass, until it is called.
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Opens a log as openLog(), but disturbs no writer, not even one of this process. A file with

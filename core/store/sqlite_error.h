@@ -21,8 +21,8 @@ private:
     int code_;
 };
 
-/// Returns the last failure of `file` with SQLite's text; for a full disk, with a sentence that says
-/// what to do. Usual texts can be translated.
+/// Returns the last failure of `file` with SQLite's text. For a full disk a sentence says what to do. Usual texts can
+/// be translated.
 SqliteError sqliteFailure(sqlite3* file);
 
 /// Throws sqliteFailure() unless the result code is SQLITE_OK.

@@ -30,7 +30,8 @@ CarriedEstimate carriedEstimate(const TerrainEstimate& estimate, const ImuMotion
 
 /// Carries one estimate along the telemetry after its scene. It ends for good at one of these:
 ///   - a line without odometry, or more than kMaxSilence [s] between two lines
-///   - a way of more than kWay, or a change of pitch or roll, or of heading, of more than kTilt or kTurn
+///   - a way of more than kWay
+///   - a change of pitch or roll of more than kTilt, or of heading of more than kTurn
 ///   - no bin has an sd of at most kSd
 class EstimateCarrier {
 public:

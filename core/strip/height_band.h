@@ -15,7 +15,7 @@ HeightBand widened(const HeightBand& band, double w);
 /// Returns the band moved up by `up` [m].
 HeightBand raised(const HeightBand& band, double up);
 
-/// Rule for a place that two estimates tell of.
+/// Rule for a place that is in two estimates.
 enum class Fusion {
     /// the newer one, unless only the older one was felt and is more certain (core/strip/strip.h)
     FeltFirst,

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// A column that the strip and a new estimate both tell of.
+/// A column that is in both the strip and a new estimate.
 struct MatchedBin {
     double difference = 0.0;  ///< [m] the strip's height minus the estimate's, by odometry
     double slope = 0.0;       ///< of the ground there
@@ -21,7 +21,7 @@ struct PoseOffset {
 };
 
 /// Returns the error e of odometry since the last scene. It comes from its prior N(0, `prior`) and
-/// the ground that both scenes tell of:
+/// the ground that is in both scenes:
 ///   difference = e_z − slope · e_x + error
 /// Errors of neighbouring bins and of successive estimates are correlated. Each bin therefore counts as
 /// 1 / kCorrelatedBins of an independent one. Bins that differ by more than kHuber sd count less (Huber's weights).

@@ -18,7 +18,7 @@ enum class SectionStart : std::uint8_t {
     Turned,        ///< the robot turned too tightly
     TelemetryGap,  ///< telemetry was silent for too long
     NoOdometry,    ///< the robot reported no odometry
-    OdometryJump,  ///< the reported way jumped, for example because the robot started anew
+    OdometryJump,  ///< the reported way jumped, for example because the robot restarted
     Suspected,     ///< the sensor watch suspected the odometry or the pitch
     Cleared,       ///< the operator cleared the strip, or another model was loaded
 };

@@ -34,7 +34,7 @@ public:
     /// a < b.
     double meanOver(double a, double b) const;
 
-    /// Returns the line between a and b with segments of at most `spacing` in x and z; vertical
+    /// Returns the line between a and b with segments of at most `spacing` in x and z. Vertical
     /// faces are kept. Throws std::invalid_argument unless a < b and spacing > 0, and for more than
     /// 1e7 points.
     std::vector<Vec2> sampled(double a, double b, double spacing) const;

@@ -35,8 +35,8 @@ inline constexpr Eigen::Index kMaxTrailErrors = 12'000;
 Status writeTrail(const std::string& path, const TrailData& data);
 
 /// Opens the file read-only and validates it: application_id, user_version 4 (or 3, without marks of
-/// drives), schema, at most 16 networks of at most 8 layers, and behind them that of the errors' size.
-/// A layer has at most 499 numbers each way. Numbers must be finite, and the content's hash must
+/// drives) and schema. It has at most 16 networks of at most 8 layers. Behind them is the network of
+/// the errors' size. A layer has at most 499 numbers each way. Numbers must be finite, and the content's hash must
 /// match. Errors are one sentence that names the file and the cause.
 Result<StoredTrail> readTrail(const std::string& path);
 

@@ -37,8 +37,7 @@ struct TrailGround {
     /// Parts of these bins that the front flippers felt at earlier scenes (pressedStretches()). Of the
     /// middle: where both sides were felt, if the robot reports both sides.
     FeltCells felt{};
-    /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]; an sd
-    /// of 0: none.
+    /// Heights that the arm measured at earlier scenes, and their sd with that of the way [m]. An sd of 0: none.
     Heights armHeight{}, armSd{};
     bool operator==(const TrailGround&) const = default;
 };

@@ -63,9 +63,9 @@ inline constexpr double kMinSpread = 1e-3;
 /// the errors of one drive are nearly one error.
 inline constexpr int kTrailNeighbours = 60;
 
-/// Surface coordinates, and the errors of similar scenes around their own mean: of one plane 11
-/// rows, of both sides 22, left above right. That mean does not correct the prediction: on generated
-/// drives, the correction makes larger errors.
+/// Surface coordinates, and the errors of similar scenes around their own mean. One plane has 11 rows. Both sides have
+/// 22, left above right. That mean does not correct the prediction: on generated drives, the correction makes larger
+/// errors.
 struct TrailPrediction {
     Eigen::VectorXd mean;
     ResidualSample errors;

@@ -175,8 +175,8 @@ void writeScales(TrailNetworks& networks, const TrailRows& rows,
         }
 }
 
-/// Returns the surface coordinates of a column, in sd of TrailScale; 0 in a regime without scale and for an unknown
-/// height.
+/// Returns the surface coordinates of a column, in sd of TrailScale. They are 0 in a regime without scale and for an
+/// unknown height.
 Eigen::VectorXf targetOf(TrailNetworks& networks, const TrailRows& rows, Eigen::Index u)
 {
     Eigen::VectorXf target = Eigen::VectorXf::Zero(Eigen::Index{kBins});

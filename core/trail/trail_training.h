@@ -14,8 +14,8 @@
 
 namespace terratact {
 
-/// Training rows of the networks, one column each: of one plane a column per scene, of two tracks the
-/// left and then the right side of each scene.
+/// Training rows of the networks, one column each. One plane has a column per scene. Two tracks have the left and then
+/// the right side of each scene.
 struct TrailRows {
     Eigen::MatrixXf inputs;    ///< planeInputs() or sideInputs()
     Eigen::MatrixXd heights;   ///< 11 × n [m]; 0 where they are unknown
@@ -39,9 +39,9 @@ inline constexpr double kCutShare = 0.25;
 /// One drive of so many is not trained on and gives the errors.
 inline constexpr int kErrorDrives = 10;
 
-/// Returns the rows of drives. number: of the first drive. sides: of both sides. A share kCutShare of
-/// the scenes knows a uniform random part of the way, except in drives that give the errors. Equal
-/// drives and seeds give equal rows. poll: called for each drive.
+/// Returns the rows of drives. number: of the first drive. sides: of both sides. For a share kCutShare of the scenes,
+/// only a uniform random part of the way is known. Drives that give the errors are not cut. Equal drives and seeds give
+/// equal rows. poll: called for each drive.
 TrailRows trailRows(std::span<const DriveLines> drives, int number, const RobotModel& robot,
                     bool sides, std::uint64_t seed, const Poll& poll = {});
 

@@ -13,7 +13,7 @@ public:
 
     /// The size hint leaves room for each of these texts, whichever is shown.
     void setUsual(const QStringList& texts);
-    /// The minimum width shows at least this many letters.
+    /// The minimum width shows at least this many characters.
     void setMinCharacters(int letters);
     /// [px] widest usual text; width of the current text if no usual texts are set.
     int usualWidth() const;
@@ -30,7 +30,7 @@ private:
     int widthOf(const QString& text) const;
 
     QStringList usual_;
-    int minCharacters_ = 9;  ///< fewer letters do not identify the text
+    int minCharacters_ = 9;  ///< fewer characters do not identify the text
 };
 
 }  // namespace terratact

@@ -47,8 +47,8 @@ QPalette paletteOf(const Theme& t)
     return colours;
 }
 
-/// Keeps Qt's record of the colours that widgets had before a style sheet. Qt deletes it with the last sheet in use;
-/// from Qt 6.5 on, widgets would then keep the text colours of the sheet before.
+/// Keeps Qt's record of the colours that widgets had before a style sheet. Qt deletes it with the last sheet in use.
+/// From Qt 6.5 on, widgets would then keep the text colours of the previous sheet.
 void keepColoursOfWidgets()
 {
     static QWidget* const withSheet = new QWidget;

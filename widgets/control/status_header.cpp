@@ -22,7 +22,7 @@ namespace {
 
 // [px]; the gap keeps other controls away from STOP
 constexpr int kBetween = 7, kBetweenLines = 6, kBeforeStop = 12;
-constexpr int kSourceCharacters = 24;  // enough letters to distinguish sources
+constexpr int kSourceCharacters = 24;  // enough characters to distinguish sources
 
 /// Returns the minimum width [px] of the items that are not hidden.
 int widthOf(const QList<QWidget*>& row)

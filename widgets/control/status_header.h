@@ -14,7 +14,7 @@ class ArmingControl;
 class ElidedLabel;
 
 /// The dark strip at the top: data source, link, robot activity and STOP. STOP acts on the press without confirmation
-/// and is never disabled; its look shows when it has no effect. Items that do not fit beside STOP on one line use two
+/// and is never disabled; its style shows when it has no effect. Items that do not fit beside STOP on one line use two
 /// lines. Changing texts never move items.
 class StatusHeader final : public QFrame {
     Q_OBJECT

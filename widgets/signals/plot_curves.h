@@ -24,7 +24,7 @@ struct TimePlotCurve {
 std::vector<QPolygonF> curveLines(const TimePlotCurve& curve, const QwtScaleMap& x,
                                   const QwtScaleMap& y, double until);
 
-/// Returns the range of the values in sight; empty: there are none.
+/// Returns the range of the visible values; empty: there are none.
 std::optional<std::pair<double, double>> visibleRange(const std::vector<TimePlotCurve>& curves);
 
 /// Draws the curves of a row with their numbers, the cursor, a legend and the box that is being drawn.

@@ -19,7 +19,7 @@ struct PlottedValues {
 class PlotValuesModel;
 
 /// The plotted signals in numbers: value at the cursor, and lowest, highest, mean, standard deviation and number of the
-/// values in sight.
+/// visible values.
 class PlotValues final : public PlainTable {
     Q_OBJECT
 public:

@@ -31,7 +31,7 @@ public:
     /// span: [s]. zero: time that the scale names 0 [s]. until: end of the data [s].
     void setSpan(double from, double to, double zero, double until);
     void setCursor(std::optional<double> seconds);
-    /// Sets the range of the values; empty: it follows the values in sight.
+    /// Sets the range of the values; empty: it follows the visible values.
     void setValues(const std::optional<std::pair<double, double>>& range);
     void setTimeScaleShown(bool shown);  ///< of all rows, the lowest one shows it
     void setChosen(bool chosen);

@@ -17,7 +17,7 @@ namespace terratact {
 struct TimePlotRow {
     std::vector<TimePlotCurve> curves{};
     std::optional<std::pair<double, double>>
-        values{};  ///< range; empty: follows the values in sight
+        values{};  ///< range; empty: follows the visible values
 };
 
 /// What TimePlots shows.

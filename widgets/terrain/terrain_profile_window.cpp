@@ -19,7 +19,8 @@ constexpr double kStepOfZoom = 1.25;  // of the wheel and the keys
 constexpr double kBeyond = 0.3;       // [m] beyond the strip's ends
 constexpr double kClosest = 0.125;    // least zoom: the width of two bins
 
-/// Returns the x of the ends of the strip and of earlier ground [m]; those of the robot's picture, if it is longer.
+/// Returns the x of the ends of the strip and of earlier ground [m]. If the robot's picture is longer, returns its
+/// ends.
 std::array<double, 2> endsOf(const SeenStrip& strip, const EarlierLayer& earlier)
 {
     std::array<double, 2> ends{ProfileAxes::kLeft, ProfileAxes::kRight};

@@ -55,7 +55,7 @@ void LinkStatus::show(const LinkViewState& viewState)
     showRobot(viewState.newest, age);
 }
 
-/// Detects new errors. The totals never fall, so only a recent increase counts as a doubt.
+/// Detects new errors. The totals never fall, so only a recent increase makes the link doubtful.
 void LinkStatus::count(const CanView& view, double now)
 {
     const BusCounters& frames = view.frames;

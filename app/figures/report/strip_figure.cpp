@@ -103,7 +103,7 @@ bool holdsUnrecorded(const StripPiece& piece)
     return false;
 }
 
-/// Look of a side. Left and right differ by line and band as well, for those who see no colours.
+/// Style of a side. Left and right differ by line and band as well, for those who see no colours.
 struct SideStyle {
     Colour colour;
     bool isRight = false;

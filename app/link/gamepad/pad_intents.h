@@ -19,8 +19,8 @@ struct PadIntents {
 };
 
 /// Derives the operator's intents from a gamepad. It has no clock and moves nothing.
-/// A control that is on at one of these moments is ignored until it is released: the gamepad is connected, it may act
-/// again, the mapping changes, or release() is called. A lost gamepad has no intents. A drive needs the dead-man
+/// A control that is on when the gamepad is connected, or may act again, is ignored until it is released. The same
+/// holds when the mapping changes or release() is called. A lost gamepad has no intents. A drive needs the dead-man
 /// control first, then the stick from its centre, so a drifting stick moves nothing. STOP counts whether or not the
 /// gamepad may act.
 class PadFollower {

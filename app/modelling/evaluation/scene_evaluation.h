@@ -46,8 +46,8 @@ struct EvaluationInput {
 Result<EvaluationInput> readEvaluationInput(const EvaluateOptions& options);
 
 /// Evaluates the methods and then the baselines on the scenes of options.shard, on all cores. ended: called after each
-/// run. The origin is set only for a part. Errors: too few scenes for the parts; without parts, no scene that any
-/// method can estimate; a file that cannot be hashed.
+/// run. The origin is set only for a part. Errors: too few scenes for the parts, or a file that cannot be hashed.
+/// Without parts also: no scene that any method can estimate.
 Result<Findings> evaluateScenes(const EvaluationInput& input, const EvaluateOptions& options,
                                 const std::function<void(const MethodRun&)>& ended);
 

@@ -88,8 +88,8 @@ TrackFindings evaluateTracks(const std::vector<TwoTrackScene>& scenes,
 std::vector<double> sideErrors(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot,
                                const Models& models, const Settings& settings);
 
-/// Errors without some sensors: bins −0.3 … 0.5 m of all scenes, by TrackApproach::Always and the
-/// first method of the options, which must be Local or Joint.
+/// Errors without some sensors, in the bins −0.3 … 0.5 m of all scenes, by TrackApproach::Always.
+/// The first method of the options estimates; it must be Local or Joint.
 struct TrackMissing {
     std::string lacks;
     ErrorStatistics errors;

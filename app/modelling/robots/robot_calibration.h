@@ -19,7 +19,7 @@ struct Calibrated {
     bool isIdentified = false;
 };
 
-/// What poses on a flat, level floor tell of a robot.
+/// Numbers of a robot as identified from poses on a flat, level floor.
 struct RobotCalibration {
     std::array<Calibrated, FloorParameter::Count> parameter{};
     std::optional<Calibrated>
@@ -30,11 +30,11 @@ struct RobotCalibration {
            after = 0.0;  ///< [rad] rms of measured less expected pitch, by the file and calibrated
 };
 
-/// Fits the parameters to poses on a flat, level floor by Bayesian least squares. The file's numbers are the prior,
-/// with sds of 3 cm (flippers), 2 cm (track), 3 mm (tips) and 0.1 rad (sensors). Observed are pitch and roll. The tip
-/// of a flipper with at least 1 A touches the floor. Poses that lie off by more than four times the scatter are left
-/// out. Sds are enlarged where the poses scatter more than their noise. The scale is that of the file's pivots.
-/// Errors: fewer than three poses; most poses do not fit.
+/// Fits the parameters to poses on a flat, level floor by Bayesian least squares. The file's numbers are the prior. Its
+/// sds are 3 cm (flippers), 2 cm (track), 3 mm (tips) and 0.1 rad (sensors). Pitch and roll are observed. The tip of a
+/// flipper with at least 1 A touches the floor. Poses with residuals above four times the scatter are left out. Sds are
+/// enlarged where the poses scatter more than their noise. The scale is that of the file's pivots. Errors: fewer than
+/// three poses; most poses do not fit.
 Result<RobotCalibration> calibrateRobot(const RobotModel& robot,
                                         const std::vector<StandingPose>& poses);
 

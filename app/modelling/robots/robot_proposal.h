@@ -9,8 +9,8 @@
 namespace terratact {
 
 /// Returns the calibration in lines for a person. Each number stands beside the file's, with its
-/// sd. Further lines say what the recordings do not identify, what would, and what standing poses
-/// can never tell.
+/// sd. Further lines say what the recordings do not identify, what would, and what no standing poses
+/// identify.
 std::vector<std::string> calibrationReport(const RobotCalibration& calibration,
                                            const RobotModel& robot);
 

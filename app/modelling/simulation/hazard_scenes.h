@@ -62,7 +62,7 @@ std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const Haz
                                               std::optional<Hazard> hazard, bool onBothSides,
                                               PressStyle style, std::mt19937_64& rng);
 
-/// Returns the same drive with telemetry on the way (core/sim/way_drive.h). isNear() tells the scenes to judge.
+/// Returns the same drive with telemetry on the way (core/sim/way_drive.h). isNear() selects the scenes to judge.
 DriveLines driveTracksAlong(const RobotModel& robot, const HazardGround& ground,
                             std::optional<Hazard> hazard, bool onBothSides, PressStyle style,
                             std::mt19937_64& rng);

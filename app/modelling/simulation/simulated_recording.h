@@ -26,11 +26,11 @@ struct RecordedStop {
 ///                   effort [N m] of one motor, pressing down positive
 ///   /fsr/left, /fsr/right   data: six forces of the front flipper [N]
 ///   /map_pose       nav_msgs/Odometry: the base in the map, while the robot stands
-/// At each stop the robot stands for 1.5 s with pressed flippers, and before it 1 s with raised ones. Before a
-/// new run, 60 s pass without a message. resources/mappings/simulated_robot.toml is the mapping.
-/// withFloorPoses: behind the stops, the robot holds flipper poses on a flat floor for 2 s each: flippers free, the
-/// front, the rear and both of them lifting the robot. Then it presses. Terratact robot check calibrates by them. seed:
-/// of the noise of their sensors. Errors name the file.
+/// At each stop the robot stands for 1 s with raised flippers, then for 1.5 s with pressed ones. Before a new run, 60 s
+/// pass without a message. resources/mappings/simulated_robot.toml is the mapping.
+/// withFloorPoses: behind the stops, the robot holds flipper poses on a flat floor for 2 s each. The flippers are free,
+/// then the front, the rear and both of them lift the robot. Then it presses. `terratact robot check` calibrates by
+/// them. seed: of the noise of their sensors. Errors name the file.
 Status addSimulatedRecording(FileGroup& files, const std::string& path, const RobotModel& robot,
                              const std::vector<RecordedStop>& stops, bool withFloorPoses = false,
                              std::uint64_t seed = 1);

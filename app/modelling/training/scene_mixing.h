@@ -42,8 +42,8 @@ template <class SceneType>
 HeldOutFolds heldOutFolds(const std::vector<SceneType>& real,
                           const std::vector<std::size_t>& filesBegin);
 
-/// Returns the |errors| [m] of a model on the scenes `judged` that was trained on `learnt`; empty if they are too few
-/// to train one.
+/// Returns the |errors| [m] on the scenes `judged` of a model trained on `learnt`. Empty: they are too few to train
+/// one.
 template <class SceneType>
 using MixJudge = std::function<std::vector<double>(const std::vector<SceneType>& learnt,
                                                    const std::vector<SceneType>& judged)>;

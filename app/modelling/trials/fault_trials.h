@@ -65,8 +65,8 @@ double sharePercent(std::size_t part, std::size_t whole);
 /// of the drives have a value.
 std::optional<double> medianOfDrives(std::vector<double> values, std::size_t drives);
 
-/// Returns true if a fault changes the errors much. It adds more than 5 mm to their mean, or takes more than 10 points
-/// from the coverage of the 80 % band. sound: result without a fault.
+/// Returns true if a fault adds more than 5 mm to the mean error. Also true if it lowers the coverage of the 80 % band
+/// by more than 10 points. sound: result without a fault.
 bool harms(const FaultCounts& fault, const FaultCounts& sound);
 
 /// Returns true if 90 % of the scenes are doubted, or the fault is detected in 90 % of the drives.

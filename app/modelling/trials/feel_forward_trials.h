@@ -56,8 +56,8 @@ struct FeelForwardCounts {
 
 /// Drives once. The loop runs on the state machine of the console (core/atem/atem_machine.h), in steps of 0.04 s. The
 /// simulated robot obeys Press and Advance. Where the loop asks, the operator lets go. If the true ground ahead is
-/// free, the robot is driven on by hand for 0.1 m, and the operator holds again. No probe is made. The drive ends before
-/// a true step, at the end of the ground, or with a fault, a fall or a collision. seed: of ground, noise and slip.
+/// free, the operator drives 0.1 m by hand and holds again. No probe is made. The drive ends before a true step or at
+/// the end of the ground. It also ends with a fault, a fall or a collision. seed: of ground, noise and slip.
 FeelForwardCounts feelForwardOnce(const EstimatorBundle& bundle, const FeelForwardTrial& trial,
                                   const FeelForwardDrive& drive, std::uint64_t seed);
 

@@ -20,8 +20,8 @@ struct TruthScenes {
     std::vector<Message> notices{};
 };
 
-/// Reads a file of scenes, or of drives if it has a column kind; of two tracks if it has a column roll_rad. Errors are
-/// those of readScenes(), readTwoTrackScenes() and readDrives(), or that it holds no scene.
+/// Reads a file of scenes, or of drives if it has a column kind. With a column roll_rad they are of two tracks. Errors
+/// are those of readScenes(), readTwoTrackScenes() and readDrives(), or that it holds no scene.
 Result<TruthScenes> readTruthScenes(const std::string& path);
 
 }  // namespace terratact

@@ -19,13 +19,12 @@ inline constexpr double kSectionGap = 1.0;  ///< [m] along x, between two sectio
 ///   drift_sd_m       sd of the height by the way since the section's begin
 ///   felt             arm, contact, track, in part, bounded, not felt or not recorded
 ///   time_s, estimate scene's time and estimate's number
-/// A bin that is not felt has its estimated height, too; only `felt` tells.
-/// section: the only one to write, from 1; empty: all. Both functions throw std::invalid_argument if there is no such
-/// section.
+/// A bin that is not felt has its estimated height, too; only `felt` shows the difference. section: the only one to
+/// write, from 1; empty: all. Both functions throw std::invalid_argument if there is no such section.
 std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
 
-/// Returns how well the strip's 80 % bands held at later touches of their ground (Strip::ledger()),
-/// such as "80 % bands held at later contacts: 41 of 50, passes: 9 of 10". Empty: nothing was
+/// Returns how well the strip's 80 % bands held at later touches of their ground (Strip::ledger()).
+/// An example is "80 % bands held at later contacts: 41 of 50, passes: 9 of 10". Empty: nothing was
 /// touched again.
 std::string ledgerText(const StripLedger& ledger);
 

@@ -11,7 +11,7 @@
 
 namespace terratact {
 
-/// The preferences in force. They differ from the saved ones if the command line overrides them. Another thread saves
+/// The active preferences. They differ from the saved ones if the command line overrides them. Another thread saves
 /// them, because a disk may take longer than a window may freeze. The destructor waits for it.
 class PreferenceStore final : public QObject {
     Q_OBJECT
@@ -28,7 +28,7 @@ public:
     /// Returns the errors of loading.
     const std::vector<Message>& troubles() const { return loaded_.troubles; }
 
-    /// Applies a change to the values in force and to the saved values. Where saving takes long, the newest values
+    /// Applies a change to the active values and to the saved values. Where saving takes long, the newest values
     /// are saved next.
     void change(const std::function<void(Preferences&)>& edit);
 

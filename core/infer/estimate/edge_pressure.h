@@ -58,7 +58,7 @@ public:
     /// two others are loaded.
     bool hasItsShare(std::size_t element) const;
 
-    /// Returns p(u) [N]: the load of the whole edge if the pressure were p(u) everywhere; 0 if
+    /// Returns p(u) [N], the load of the whole edge if the pressure were p(u) everywhere. 0 if
     /// fewer than two elements are fitted.
     double at(double u) const { return a_ + b_ * u; }
 

@@ -9,7 +9,7 @@ namespace terratact {
 /// The foremost loaded element may lie this far behind a bin's front border [m].
 inline constexpr double kHorizonSlack = 0.01;
 
-/// Returns true if the estimate tells how each of its bins was touched.
+/// Returns true if the estimate records how each of its bins was touched.
 bool isTouchRecorded(const TerrainEstimate& estimate);
 
 /// Returns the last bin ahead that is felt, now or earlier, or lies behind a loaded element;
@@ -21,7 +21,7 @@ int horizonBin(const TerrainEstimate& estimate);
 /// first one is not. Where the touch is not recorded, it is the last bin.
 int lastFeltBin(const TerrainEstimate& estimate);
 
-/// Returns the front border of lastFeltBin() [m]; empty if the first bin ahead is not felt, or the
+/// Returns the front border of lastFeltBin() [m]. Empty: the first bin ahead is not felt, or the
 /// touch is not recorded.
 std::optional<double> feltHorizon(const TerrainEstimate& estimate);
 

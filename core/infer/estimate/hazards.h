@@ -35,7 +35,7 @@ struct MeasuredHazard {
 
 /// Returns P(hazard | reading) by Bayes' rule:
 ///   p = r H / (r H + (1 − r) M),   r = max(rate, kMinHazardRate)
-/// M is the model's density of the reading, and H that of a hazard of the sizes of addHazards():
+/// M is the model's density of the reading. H is the density of a hazard of the sizes of addHazards():
 ///   H = ½ Φ((|offset| − kSmallestHazard) / sd) / (max(|offset|, kSmallestHazard) ln(largest / smallest))
 /// Below a finite ceiling, a hazard is a drop for certain: without the ½, and 0 for a rise.
 /// logDensity: ln M, M per metre. rate: 0 … 1.

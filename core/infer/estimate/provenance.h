@@ -43,7 +43,7 @@ BarPattern barPattern(Provenance provenance);
 /// Fill of a bin's mark, on screens and in figures.
 enum class MarkFill : std::uint8_t { Open, LowerHalf, Full };
 /// Returns how much of a bin was felt: Full if felt or remembered, LowerHalf if felt in part, else Open. Full where a
-/// recording does not tell. A bin that is PriorOnly is always Open.
+/// recording does not state it. A bin that is PriorOnly is always Open.
 MarkFill markFill(const TerrainEstimate& estimate, int bin);
 
 }  // namespace terratact

@@ -75,7 +75,7 @@ inline constexpr double kLoadShare = 0.2;
 inline constexpr double kPressedWithin = 0.015;
 
 /// A bin may begin this far behind the flippers' edge [m], under the pivot, where no element is.
-/// On level ground it is 0 m at a pitch of 0, and 0.01 m at a pitch of 0.07 rad.
+/// On level ground it is 0 m at pitch 0, and 0.01 m at pitch 0.07 rad.
 inline constexpr double kUnsensedWithin = 0.01;
 
 /// Touch of every bin according to the force elements of the front flippers.
@@ -95,8 +95,8 @@ struct PressedBins {
 ///   - All loads together fit even ground, with a pressure above 0 at both borders of the bin.
 /// A bin is FeltInPart if some element within it carries load. An element that is not measured
 /// counts as loaded if both neighbours are. Three hollows are not detected. The first is a gap of
-/// about 0.02 m under the pivot's end: element 1 changes by less than its noise. The second is a
-/// gap of up to 0.04 m before a saturated element 1. The third is a slot of less than 0.05 m.
+/// about 0.02 m under the pivot's end. Element 1 changes there by less than its noise. The second
+/// is a gap of up to 0.04 m before a saturated element 1. The third is a slot of less than 0.05 m.
 /// docs/hazards.md shows how often they occur. ceiling: of this pose [m], +infinity where the bin
 /// is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);
@@ -108,19 +108,19 @@ PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const 
 std::vector<GroundStretch> pressedStretches(const RobotModel& robot, const Proprioception& s);
 
 /// Returns the felt cells and those that the arm's points join. The arm touches a point at the centre
-/// of its bin. Cells between a point and the next felt cell or point, at most kBinWidth away, count as
-/// felt: a narrower fall may be overlooked. A point alone feels no cell: a fall may begin beside it.
+/// of its bin. Cells between a point and the next felt cell or point, at most kBinWidth away, count as felt. A narrower
+/// fall may be overlooked. A point alone feels no cell, because a fall may begin beside it.
 FeltCells joinedByArm(const FeltCells& felt, const TerrainEstimate& estimate);
 
-/// Turns bins ahead into Remembered: those that are neither Felt nor without a part felt earlier.
-/// Of each, every cell was felt `earlier` or is felt `now`, or the arm joins it (joinedByArm()).
+/// Turns bins ahead into Remembered. Such a bin is not Felt, and a part of it was felt `earlier`.
+/// Each of its cells was felt `earlier`, is felt `now`, or is joined by the arm (joinedByArm()).
 /// Nothing changes unless an element ahead carries load now: memory alone carries no verdict. The
 /// caller answers for `earlier`: the estimate knows the heights that were felt.
 void addRemembered(TerrainEstimate& estimate, const FeltCells& earlier, const FeltCells& now);
 
 /// Writes estimate.touch and estimate.feltTo. A bin of the arm is FeltInPart. Bins ahead whose cells
-/// the arm's points join (joinedByArm()) are Felt. A bin behind the front pivot is Felt if ceiling
-/// − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the robot there.
+/// the arm's points join (joinedByArm()) are Felt. A bin behind the front pivot is Felt if ceiling − q10 ≤
+/// kPressedWithin. By the estimate's posterior, the tracks then carry the robot there.
 void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed);
 
 }  // namespace terratact

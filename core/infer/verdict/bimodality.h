@@ -26,10 +26,9 @@ inline constexpr double kMinModeDistance = 0.06;  ///< [m]
 /// Returns the split into x ≤ split < y that explains most of the draws' variance (exact 2-means in
 /// one dimension):
 ///   betweenShare = max_k n_low n_high (highMean − lowMean)² / (n Σ (x − mean)²)
-/// Empty unless betweenShare exceeds kMinBetweenShare, both clusters hold at least kMinModeShare,
-/// and their means are more than kMinModeDistance apart. Also empty for no draws and for equal
-/// draws.
-/// draws: [m], any order. Throws std::invalid_argument for a draw that is not finite.
+/// Empty unless betweenShare exceeds kMinBetweenShare and both clusters hold at least
+/// kMinModeShare. Also empty if their means are at most kMinModeDistance apart, and for no draws or
+/// equal draws. draws: [m], any order. Throws std::invalid_argument for a draw that is not finite.
 /// Source: Fisher, "On grouping for maximum homogeneity", J. Am. Stat. Assoc. 53 (1958).
 std::optional<TwoModes> twoModes(std::vector<double> draws);
 

@@ -63,7 +63,7 @@ Message answerOf(const Verdict& verdict)
     return stepVerdictMessage(verdict);
 }
 
-/// Returns the robot's answer as far as those of the sides tell it.
+/// Returns the robot's answer as far as those of the sides determine it.
 StepVerdict answerOfSides(const TwoTrackVerdict& verdict)
 {
     const auto is = [](StepVerdict answer) {

@@ -58,8 +58,8 @@ struct TwoTrackVerdict {
 /// Returns the verdict of one plane for both sides, without a cross slope.
 TwoTrackVerdict equalSides(const Verdict& plane);
 
-/// Returns the probability of a step on either side that the robot's answer rests on: up to the
-/// horizons for Clear, else of all bins ahead.
+/// Returns the probability of a step on either side that the robot's answer rests on. Clear counts
+/// bins up to the horizons, other answers all bins ahead.
 const StepProbability& answeredBy(const TwoTrackVerdict& verdict);
 
 /// Returns true if a side's verdict is withheld.
@@ -87,8 +87,8 @@ Message messageOf(const TwoTrackVerdict& verdict);
 /// Returns messageOf() in English.
 std::string describe(const TwoTrackVerdict& verdict);
 
-/// Returns the sentences of both sides: a sentence of both as it is, "left: …" or "right: …" before
-/// one of a single side. Sentences of the left side come first.
+/// Returns the sentences of both sides. A sentence that both have stays as it is. "left: …" or
+/// "right: …" precedes one of a single side. Sentences of the left side come first.
 std::vector<Message> ofBothSides(const std::vector<Message>& left,
                                  const std::vector<Message>& right);
 

@@ -133,12 +133,12 @@ struct LinkSinceScene {
 /// b) by anyStep(). m is its Monte-Carlo sd, and h the bin of the horizon:
 ///   Blocked     p(kFirstAhead, 10) − 2 m > kBlockedAbove
 ///   Clear       p(kFirstAhead, h) + 2 m < kClearBelow, h ≥ the reach, h ≥ kMinHorizonBin
-///   CannotTell  else, or with any doubt, or without draws.
+///   CannotTell  else, or with any WithholdReason, or without draws.
 /// The horizon is the front border of the last bin ahead that is felt, now or earlier. A bin behind
 /// a loaded element counts too (kHorizonSlack). The reach is the last bin ahead with a finite
 /// ceiling. Where the touch is not recorded, h is the last bin.
 /// scene: the measurement that the estimate rests on. The limits in estimate.settings decide when
-/// roll or asymmetry is a doubt. limit: [m].
+/// roll or asymmetry withholds the verdict. limit: [m].
 /// Throws std::invalid_argument for a limit below 0 or not finite.
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
                   const LinkSinceScene& since, double limit);

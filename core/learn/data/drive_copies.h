@@ -10,9 +10,9 @@
 
 namespace terratact {
 
-/// Marks of the scenes of a drive, ascending, each once. The mark of a scene is the first 32 bits of the
-/// SHA-256 of its pitch, flipper angles [rad] and way [m], rounded to kMarkStep. Run, time and way lines
-/// do not count, nor do digits that a number format of three decimals drops.
+/// Marks of the scenes of a drive, ascending, each once. The mark of a scene is the first 32 bits of a SHA-256. It
+/// covers pitch, flipper angles [rad] and way [m], rounded to kMarkStep. Run, time and way lines do not count, nor do
+/// digits that a number format of three decimals drops.
 using DriveMarks = std::vector<std::uint32_t>;
 inline constexpr double kMarkStep = 0.001;
 inline constexpr std::size_t kMaxDriveMarks = 100'000;  ///< of one drive; later scenes have none
@@ -27,8 +27,8 @@ public:
     /// drive. A drive without scenes is no copy, and nothing to remember.
     bool isCopy(const DriveLines& drive);
 
-    /// Returns true if an earlier drive shares at least half of the marks of the shorter one of both: one
-    /// was then cut from the other. Remembers nothing.
+    /// Returns true if an earlier drive shares at least half of the marks of the shorter of both drives. One was then
+    /// cut from the other. Remembers nothing.
     bool contains(const DriveMarks& marks) const;
     /// Remembers a drive by its marks.
     void add(DriveMarks marks);

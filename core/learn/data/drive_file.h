@@ -21,10 +21,10 @@ inline constexpr double kDriveResolution = 1e-5;
 /// Reads drives from CSV (core/store/csv_reader.h): a header, then one line of a drive per line.
 /// Columns in any order:
 ///   run,t_s,kind,travelled_m   kind: "way" or "scene"
-/// and those of scenes of one plane (core/learn/data/scene_file.h), or with a column roll_rad those
-/// of two tracks (core/learn/data/two_track_scene_file.h). A column turned_rad may hold the heading
-/// [rad]; without the column the robot never turns. A way line has no heights. Lines of one run stand
-/// together, and their time never falls.
+/// and the columns of scenes of one plane (core/learn/data/scene_file.h). With a column roll_rad they
+/// are those of two tracks (core/learn/data/two_track_scene_file.h). A column turned_rad may hold the
+/// heading [rad]; without the column the robot never turns. A way line has no heights. Lines of one
+/// run stand together, and their time never falls.
 /// Calls `add` for each drive when its last line is read, and holds one drive at a time. Returns
 /// notices, such as unknown columns that were ignored.
 /// Errors name file, line and cause: those of readScenes(), a line that breaks the rules above, more

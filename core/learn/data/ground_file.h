@@ -26,10 +26,10 @@ struct GroundFile {
 /// ignored, and lines that begin with # and have no y. `blocks` is that of
 /// TerrainProfile::fromSamples.
 ///
-/// Errors name file, line and cause. A column is missing or double. A line has fewer than two
-/// heights, or one that is no number. Two lines of a ground have the same y, or its lines do not
-/// stand together. |y| is beyond 2 m, or a step beyond 0.001 … 10 m. What readProfiles() refuses is
-/// refused here, too. Throws std::invalid_argument unless step is finite and above 0.
+/// Errors name file, line and cause. Causes: a missing or duplicate column; a line with fewer than two heights, or with
+/// one that is no number; two lines of a ground with the same y; lines of a ground that do not stand together; |y|
+/// beyond 2 m; a step beyond 0.001 … 10 m. What readProfiles() refuses is refused here, too. Throws
+/// std::invalid_argument unless step is finite and above 0.
 Result<GroundFile> readGrounds(const std::string& path, double step, bool blocks);
 
 /// Reads the same from an open CSV.

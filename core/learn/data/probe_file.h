@@ -21,9 +21,9 @@ struct ProbeReading {
 };
 
 /// Reads a CSV file (core/store/csv_reader.h) with the header place,height_m,truth_m. truth_m may
-/// be missing in a line, or NaN. Errors name file, line and cause. Causes: another header, wrong
-/// numbers or units, heights beyond ±5 m, a place without a name, or with two truths that differ by
-/// more than 0.1 mm, no reading, more than kMaxProbeReadings.
+/// be missing in a line, or NaN. Errors name file, line and cause. Causes: another header; wrong
+/// numbers or units; heights beyond ±5 m; a place without a name; two truths of a place that differ
+/// by more than 0.1 mm; no reading; more than kMaxProbeReadings.
 Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path);
 
 /// Reads the same from an open CSV.

@@ -26,12 +26,11 @@ struct ProfileFile {
 /// as many fields. `step` [m] and `blocks` are those of TerrainProfile::fromSamples, for heights
 /// only.
 ///
-/// Errors name file, line and cause. They are x that decreases or does not advance, a line of
-/// another form, wrong numbers, NaN and infinity. Heights beyond ±5 m of the profile's first and
-/// |x| beyond 1000 m are refused. So are an empty file, more than kMaxProfileNumbers numbers, and a
-/// header with a column y_m (core/learn/data/ground_file.h). Integers that are probably heights
-/// with decimal commas are refused, too. Throws std::invalid_argument unless step is finite and
-/// above 0.
+/// Errors name file, line and cause. Causes are x that decreases or does not advance, a line of another form, wrong
+/// numbers, NaN and infinity. Heights beyond ±5 m of the profile's first and |x| beyond 1000 m are refused. So are an
+/// empty file, more than kMaxProfileNumbers numbers, and a header with a column y_m (core/learn/data/ground_file.h).
+/// Integers that are probably heights with decimal commas are refused, too. Throws std::invalid_argument unless step is
+/// finite and above 0.
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks);
 
 /// Reads the same from an open CSV.

@@ -17,8 +17,8 @@ bool namesLines(const CsvReader& csv);
 /// Returns the numbers in the current record's fields begin … end − 1.
 Result<std::vector<double>> numbersOf(CsvReader& csv, std::size_t begin, std::size_t end);
 
-/// Returns Done if a height lies within 1000 km of 0 and 5 m of the first: the profile's, or that of
-/// the ground's first line.
+/// Returns Done if a height lies within 1000 km of 0 and within 5 m of `first`. first: of the profile, or of the
+/// ground's first line.
 Status checkHeight(const CsvReader& csv, double height, double first);
 
 /// Reads profiles, of which the current record is the first.

@@ -97,8 +97,8 @@ std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::Matrix
                            const Eigen::MatrixXd& heights,
                            const std::vector<unsigned>& unknownBins);
 
-/// Returns the same of two tracks: the scenes whose left side is a training row, or a near copy with
-/// the heights of both sides. features: U × kSideFeatures, rounded to its steps.
+/// Returns the same of two tracks. Counted are scenes whose left side is a training row, and near copies with the
+/// heights of both sides. features: U × kSideFeatures, rounded to its steps.
 std::size_t trainingScenes(const std::vector<TwoTrackScene>& scenes,
                            const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights,
                            const std::vector<unsigned>& unknownBins);

@@ -129,8 +129,8 @@ private:
     std::optional<InverseFactor> inverse_;  // inverse of L; F for a sparse process
 };
 
-/// Throws std::invalid_argument with a sentence unless X: U × d, y: U and hyper fit each other, U ≥
-/// 1, and every number is in the range of GaussianProcess.
+/// Throws std::invalid_argument with a sentence unless X (U × d), y (U) and hyper fit each other.
+/// Throws also unless U ≥ 1 and every number is in the range of GaussianProcess.
 void requireTrainable(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                       const Hyperparameters& hyper);
 

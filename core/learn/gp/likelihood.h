@@ -13,8 +13,8 @@ struct Likelihood {
     Eigen::VectorXd gradient;  ///< d + 2: derivatives by log ℓ_1 … log ℓ_d, log σ_f, log σ_n
 };
 
-/// Returns −log p(y | X) = ½ yᵀ α + ½ log det K + ½ U log 2π and its gradient ½ tr((K⁻¹ − α αᵀ)
-/// ∂K/∂θ) (Rasmussen & Williams 2006, eq. 2.30 and 5.9; K and α as in GaussianProcess).
+/// Returns −log p(y | X) = ½ yᵀ α + ½ log det K + ½ U log 2π. Also returns its gradient ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ). K and
+/// α are those of GaussianProcess. Source: Rasmussen & Williams 2006, eq. 2.30 and 5.9.
 /// The error of value and gradient is at most errorBoundAt (gaussian_process.h) of U + yᵀ α, at K's
 /// reciprocal condition number. Cost: U³ multiplications and additions; memory: ½ U² + (270 + d) U
 /// doubles (SymmetricPanels).

@@ -24,9 +24,9 @@ struct ProjectedProcess {
     /// The smaller reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ; 1-norm.
     double rcond = 1.0;
 
-    /// Returns errorBoundAt(rcond) (gaussian_process.h). It bounds the error of the mean at a row,
-    /// relative to the larger of max |y| and σ_f² Σ |w|. The same holds for a numerator of
-    /// leaveOneOut. It bounds the absolute error of the denominator.
+    /// Returns errorBoundAt(rcond) (gaussian_process.h). It bounds the relative error of the mean
+    /// at a row, and of a numerator of leaveOneOut. Both are relative to the larger of max |y| and
+    /// σ_f² Σ |w|. It also bounds the absolute error of the denominator.
     double errorBound() const;
 };
 

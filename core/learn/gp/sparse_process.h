@@ -10,8 +10,8 @@
 namespace terratact {
 
 /// Sparse Gaussian process that is learnt from all rows and predicts through m inducing rows Z.
-/// With K_mm = k(Z, Z), K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f²
-/// + σ_n²)) I and A = K_mm + K_mn Λ⁻¹ K_nm:
+///   K_mm = k(Z, Z),  K_mn = k(Z, X),  A = K_mm + K_mn Λ⁻¹ K_nm
+///   Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f² + σ_n²)) I
 ///   mean = k_mᵀ w,  w = A⁻¹ K_mn Λ⁻¹ y,   variance = σ_f² + σ_n² − |F k_m|²,  Fᵀ F = K_mm⁻¹ − A⁻¹
 /// This is the fully independent training conditional (Snelson & Ghahramani 2005). Rasmussen &
 /// Williams 2006, §8.3.4 give it without the first part of Λ. It is exact if every row belongs to

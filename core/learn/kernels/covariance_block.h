@@ -9,8 +9,8 @@
 
 namespace terratact {
 
-/// Rows of inputs and the factors that scale their differences. Differences are scaled, because
-/// scaled inputs would have rounding errors of 2⁻⁵³ |x| / ℓ, which is much if ℓ is tiny.
+/// Rows of inputs and the factors that scale their differences. Differences are scaled, not inputs:
+/// scaled inputs have rounding errors of 2⁻⁵³ |x| / ℓ, which is much if ℓ is tiny.
 struct ScaledRows {
     Eigen::MatrixXd X;             ///< n × d
     Eigen::RowVectorXd perLength;  ///< d: 1 / ℓ

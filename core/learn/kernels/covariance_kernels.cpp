@@ -65,9 +65,9 @@ HWY_INLINE void storeRounded(float* p, Doubles v, double least)
     hn::Store(hn::DemoteTo(half, hn::IfThenElseZero(hn::Gt(v, spread(least)), v)), half, p);
 }
 
-/// Computes e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, with a polynomial of degree 11 in r. It
-/// is the minimax polynomial of the relative error by Remez's algorithm: 3e-18, or 2e-17 with its
-/// first two coefficients rounded to 1.
+/// Computes e^x for x ≤ 0, with x = n ln 2 + r and |r| ≤ ½ ln 2. A polynomial of degree 11 in r
+/// gives e^r. It is the minimax polynomial of the relative error by Remez's algorithm: 3e-18, or
+/// 2e-17 with its first two coefficients rounded to 1.
 /// Below −300 the result is e^−300. With a signal sd above 2e-12 even a covariance's square is then
 /// a normal number. Processors need many times as long for subnormal ones.
 /// Several vectors are computed together, because each step waits for the one before it.

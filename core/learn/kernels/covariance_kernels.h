@@ -47,9 +47,10 @@ inline constexpr long kKernelMultiplications = 1L << 25;
 struct CovarianceKernels {
     const char* name;  ///< of the instruction set, see nameOfTarget()
 
-    /// Computes K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j ((X[u·m + j] − Z[j·8 + c])
-    /// perLength[j])²), u < kept, c < 8, with an exponent of at least −300, and mean[c] = Σ_u K[u·8
-    /// + c] alpha[u], u < U. Z: m × 8. Differences are scaled, not inputs: scaled inputs have
+    /// Computes a block of covariances and the mean, for c < 8:
+    ///   K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j ((X[u·m + j] − Z[j·8 + c]) perLength[j])²),  u < kept
+    ///   mean[c] = Σ_u K[u·8 + c] alpha[u],  u < U
+    /// The exponent is at least −300. Z: m × 8. Differences are scaled, not inputs: scaled inputs have
     /// rounding errors of 2⁻⁵³ |x| / ℓ, which is much if ℓ is tiny.
     void (*covariances)(const CovarianceInput& in, const double* Z, double* K, double* mean);
     /// Computes the same with K rounded to float; the mean is summed before the rounding.

@@ -18,9 +18,10 @@ struct LikelihoodKernels {
     void (*subtractProducts)(const double* A, const double* B, long stride, int length, double* C,
                              long rowStride, long groupStride);
 
-    /// Adds weighted squares for one row of a symmetric matrix G = (−N − α αᵀ) ∘ S, over its first
-    /// `columns` entries (a multiple of 8): sums[d] += Σ_c G_c (x[d] − Z[d · stride + c])² for d <
-    /// m, sums[m] += Σ_c G_c, each as 8 partial sums: sums: (m + 1) × 8.
+    /// Adds weighted squares for one row of a symmetric matrix G = (−N − α αᵀ) ∘ S. c runs over its
+    /// first `columns` entries (a multiple of 8). Each sum is kept as 8 partial sums; sums: (m + 1) × 8.
+    ///   sums[d] += Σ_c G_c (x[d] − Z[d · stride + c])²  for d < m
+    ///   sums[m] += Σ_c G_c
     ///   N, S: the row, `columns` entries; alphaOfRow: α of the row; alpha: of the columns;
     ///   x: m (any alignment), Z: m × stride.
     void (*addWeightedSquares)(const double* N, const double* S, double alphaOfRow,

@@ -61,9 +61,9 @@ void store(SurfaceData& model, const TrainedSurface& trained, int bin, bool cove
 /// fits
 ///   h − m = a + b (z − m),   |z − m| ≤ 0.1 m.
 /// A measurement with variance Var(h − m) (1 − b) / b has exactly that gain b. The bias is the mean
-/// of h − z, and not a / b: the residuals hold the mean of h − m already. Var(h − m)
-/// is without the mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m,
-/// without weight, if contacts add nothing (b ≤ 0).
+/// of h − z, not a / b. The residuals already hold the mean of h − m. Var(h − m) is without the
+/// mean variance of the true heights. sd is kept within 5 mm … 10 m. It is 10 m, without weight, if
+/// contacts add nothing (b ≤ 0).
 void finishClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                      const Poll& poll = {}, AbsentFeatures without = {});
 

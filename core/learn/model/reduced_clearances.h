@@ -25,13 +25,13 @@ inline constexpr int kReducedRows = 4000;
 /// residuals, scale of novelty and the contacts' sd are computed as in clearance_training.h. Bands
 /// widen because the residuals do.
 /// Each set is made when it is first needed, in some seconds of processor time. The kKept latest
-/// sets are kept. Where more sets take turns, each scene makes its set anew. The result does not
+/// sets are kept. Where more sets take turns, each scene makes its set again. The result does not
 /// depend on earlier requests. It may be shared between threads.
 class ReducedClearances {
 public:
     static constexpr std::size_t kKept = 16;
 
-    /// robot: the robot that the model was trained for. model: without rows, nothing can be asked for.
+    /// robot: the robot that the model was trained for. model: without rows, nothing can be requested.
     ReducedClearances(const SurfaceData& model, RobotModel robot);
 
     /// Returns the model for missing features. missing: not empty, without pitch and flipper

@@ -29,9 +29,8 @@ struct NetworkOptions {
 ///   weights: o × n, 0 … 1; without numbers: all are 1.
 /// Single precision. The same data and seed give the same network on one machine. poll: called
 /// before each step; what it throws is rethrown. Throws std::invalid_argument if the numbers of
-/// columns differ, or if they fill no batch. It also throws for a number that is not finite, a weight
-/// out of range and an option that is not positive. Source: Loshchilov, Hutter, Decoupled weight
-/// decay regularization (ICLR 2019).
+/// columns differ, or if they fill no batch. It also throws for a number that is not finite, a weight out of range or a
+/// non-positive option. Source: Loshchilov, Hutter, Decoupled weight decay regularization (ICLR 2019).
 Network trainNetwork(const Eigen::MatrixXf& inputs, const Eigen::MatrixXf& targets,
                      const NetworkOptions& options, const Poll& poll = {},
                      const Eigen::MatrixXf& weights = {});

@@ -32,7 +32,7 @@ double centreOfMass(const RobotModel& robot);
 /// Upper bound of the ground under the path of the tracks. No ground is higher than the lowest
 /// position of the tracks above it, and most high spots have carried them. The frame is along
 /// gravity and begins with the first line. Dead reckoning moves the robot by a way ds of the tracks
-/// along its line of rest,
+/// along its line of rest:
 ///   ds / cos β · (cos(θ + β), sin(θ + β)).
 /// β is supportAngle() while the rear flippers carry a load, else 0. The robot turns about the
 /// point of its tracks' lower edge below its centre of mass. The map keeps kKept to both sides. It

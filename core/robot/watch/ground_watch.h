@@ -11,14 +11,14 @@ namespace terratact {
 
 /// Compares presses of the flippers with the ground that the tracks drive over (DrivenGround). It
 /// uses three one-sided CUSUMs (Page 1954) of log-likelihood ratios:
-///   front angles  The contact point of a press (the forces' centroid on the flippers' edge) lies higher
-///                 than the tracks leave room for, as if the angles were too large by kOffset. Angles
-///                 that are too small look like hollow ground and are not suspected.
+///   front angles  The contact point of a press is the forces' centroid on the flippers' edge. It lies
+///                 higher than the tracks leave room for, as if the angles were too large by kOffset.
+///                 Angles that are too small look like hollow ground and are not suspected.
 ///   forces        The contact point fits the ground worse than its mirror image, counted from the other
-///                 end. A press that loads only the first element adds to the sum, because a press that
-///                 loads only the last one is far more common.
-///   rear angles   The flippers lie under the ground, or carry a load above it, while angles of the other
-///                 sign would fit. This needs ground that the tracks have passed from end to end, and
+///                 end. A press that loads only the first element adds to the sum: presses that load only
+///                 the last one are far more common.
+///   rear angles   The flippers lie under the ground, or carry a load above it. Angles of the other sign
+///                 would fit. This needs ground that the tracks have passed from end to end, and
 ///                 angles of kMinRear or more: the map has errors of 5 cm.
 /// A sum that falls to half its limit clears its sensors. The watch needs odometry, and forces for
 /// the first two sums. It begins a new map when the robot turns by more than kTurn. It has no

@@ -13,9 +13,9 @@
 namespace terratact {
 
 /// Detects readings that jump away and back, and readings that the robot cannot have.
-///   spike  One line differs from its two neighbours in the same direction by more than 0.1 rad, 1.5 A,
-///          6 N or 0.1 m; currents and forces only while the robot stands. kSpikes within kWindow count.
-///   range  |pitch| or |roll| is above 1.5 rad, a current is above twice that of the motor's largest
+///   spike  One line differs from both neighbours in the same direction: by more than 0.1 rad, 1.5 A,
+///          6 N or 0.1 m. Currents and forces count only while the robot stands. kSpikes within kWindow count.
+///   range  |pitch| or |roll| is above 1.5 rad. Or a current is above twice that of the motor's largest
 ///          torque, or odometry is faster than kFastestTracks. A return of odometry to 0 is a restart instead.
 /// A force of one side must jump by 0.4 of its size more.
 /// Angles are wrapped and forces end at their largest value, so that neither can leave its range.

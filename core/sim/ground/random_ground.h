@@ -23,8 +23,8 @@ enum class GroundKind : std::uint8_t { Symmetric, Oblique, OneSided, Uneven };
 GroundKind randomGroundKind(std::mt19937_64& rng);
 
 /// Returns random ground of that kind with a line at each y of `ys`, kRandomTerrainLength long. A third
-/// lies on a cross slope of up to ±15°. OneSided and Uneven ground is shown half of the time as a 0.1 m
-/// elevation map shows it, as randomVariedTerrain() is.
+/// lies on a cross slope of up to ±15°. Half of the OneSided and Uneven ground is shown as in a 0.1 m elevation map,
+/// like randomVariedTerrain().
 GroundLines randomGround(GroundKind kind, const std::vector<double>& ys, std::mt19937_64& rng);
 
 /// Range of lateral correlation lengths L [m]: heights of lines at a distance d correlate by

@@ -32,8 +32,7 @@ TerrainProfile randomVariedTerrain(std::mt19937_64& rng);
 /// (1/0.25 − 1/10). Source: ISO 8608:2016, annex C.
 TerrainProfile isoRoughness(double gn0, double length, std::mt19937_64& rng);
 
-/// Returns the geometric mean of G(n₀) of an ISO 8608 class [m³], 0 for A; a fraction lies between two
-/// classes.
+/// Returns the geometric mean of G(n₀) of an ISO 8608 class [m³]. Class 0 is A; a fraction lies between two classes.
 double classRoughness(double roughnessClass);
 
 /// Returns isoRoughness() of a random class between these two.

@@ -8,9 +8,9 @@
 
 namespace terratact {
 
-/// Sums over the forces on one rigid part. They suffice for the first and second derivatives of the
-/// energy by every coordinate that moves the part, so each contact costs little. Points are relative
-/// to the base. n: direction of a force F; t = ⊥n with ⊥(x, z) = (−z, x).
+/// Sums over the forces on one rigid part. They suffice for the first and second derivatives of the energy by every
+/// coordinate that moves the part. So each contact costs little. Points are relative to the base. n: direction of a
+/// force F; t = ⊥n with ⊥(x, z) = (−z, x).
 class PartForces {
 public:
     explicit PartForces(Vec2 base) : base_(base) {}

@@ -13,8 +13,8 @@ namespace {
 
 using Coordinate = TwoTrackCoordinate;
 
-/// Returns true if a point of the line is above the lower end of a polygon and within its range of
-/// x. A polygon that cannot touch the line then costs little.
+/// Returns true if a point of the line is within a polygon's range of x and above its lower end. A
+/// polygon that cannot touch the line then costs little.
 bool mayTouch(const std::vector<Vec2>& polygon, double skin, const std::vector<Vec2>& line)
 {
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Vec2::x);

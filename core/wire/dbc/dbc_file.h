@@ -26,9 +26,9 @@ struct DbcFile {
 /// else Windows code page 1252.
 ///
 /// A blank value text is none. A value text is left out with a warning if its raw value has more
-/// than 64 bits, or is beyond 2⁵³ without all its digits. Zero bytes are read as blanks; a warning
-/// names their lines. A content with zero bytes is refused as no text if it has more control
-/// characters than line ends.
+/// than 64 bits. So is one beyond 2⁵³ without all its digits. Zero bytes are read as blanks; a
+/// warning names their lines. A content with zero bytes is refused as no text if it has more
+/// control characters than line ends.
 ///
 /// A line or signal that is not understood, impossible or a duplicate is skipped; a warning names
 /// its line. So is a signal beyond the first DbcMessage::kMaxSignals of a message, and a comment

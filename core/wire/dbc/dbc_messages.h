@@ -67,7 +67,7 @@ public:
     void select(const Place& place, const std::string& multiplexor,
                 std::vector<DbcSignal::Selection> ranges, int line);
     void leaveOut(const Place& place);  ///< removes it at the end of the file
-    /// Names a signal anew at the end of the file, unless another one of its message has the name.
+    /// Renames a signal at the end of the file, unless another one of its message has the name.
     void rename(const Place& place, std::string longName, int line);
 
     /// Ends the file: removes signals whose selection is unknown, and assigns long names.

@@ -51,8 +51,8 @@ public:
     std::optional<DbcRaw> raw(SourceText what);
     std::uint64_t whole(SourceText what, std::uint64_t most);
     std::string_view text(SourceText what);  ///< text between quotation marks, unchanged
-    /// Returns a text behind which the section's semicolon is expected. Without the semicolon, a text
-    /// that holds a line that begins like a section lacks its closing quotation mark: a failure.
+    /// Returns a text behind which the section's semicolon is expected. A text without it that has
+    /// a line like the begin of a section lacks its closing quotation mark: a failure.
     std::string_view lastText(SourceText what);
 
     std::string_view wordIfAny();   ///< empty without a failure if there is no word

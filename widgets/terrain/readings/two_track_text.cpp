@@ -35,7 +35,7 @@ QString answerOfSide(const Verdict& verdict)
         .arg(answer, format::signedLength(binCentre(verdict.likeliest + 1), 1));
 }
 
-/// Returns the answer and its distance [m] in few letters: "✘ BLOCKED 0.4".
+/// Returns the answer and its distance [m] in few characters: "✘ BLOCKED 0.4".
 QString shortAnswerOfSide(const Verdict& verdict)
 {
     Verdict plain = verdict;
@@ -132,7 +132,7 @@ QString whyText(const TwoTrackVerdict& verdict, bool isBrief)
     QStringList parts;
     if (const QString slope = crossSlopeText(verdict); !slope.isEmpty()) parts << slope;
     if (std::ranges::none_of(verdict.side, gives)) parts << jointReason(verdict);
-    // The line of both sides tells where a step is.
+    // The line of both sides states where a step is.
     const bool isSaid =
         verdict.both == StepVerdict::Blocked && isBrief && !sidesText(verdict).isEmpty();
     const auto textsOf = [&](bool isOfTwo) {
