@@ -1,7 +1,8 @@
-// Gives processes like those of the method local the memory of the way as further inputs, and searches the relevant
-// ones. Drives are simulated, in one plane (terratact simulate --drives). Processes learn from the first file, one per
-// bin and regime. Their length scales maximise the likelihood of at most ROWS scenes. The number of inputs is that
-// with the least mean error on the second file. The other files are judged with it, beside local and trail.
+// Gives Gaussian processes like those of the method local the memory of the way as further inputs. Searches the
+// relevant inputs. Drives are simulated, in one plane (terratact simulate --drives). Processes learn from the first
+// file, one per bin and regime. Their length scales maximise the likelihood of at most ROWS scenes. The number of
+// inputs is that with the least mean error on the second file. The other files are judged with it, beside local and
+// trail.
 //   terratact-bench-history ROWS TRAINING.csv CHOICE.csv DRIVES.csv...
 // The same files give the same errors. CPU time depends on the machine. That of the processes is without the inputs.
 #include <fmt/format.h>

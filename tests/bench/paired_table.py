@@ -2,7 +2,7 @@
 """Prints a table of two builds' benchmarks: the least CPU time of each over the rounds of tests/bench/paired.sh.
 
 The folder holds old-ROUND.json and new-ROUND.json of google-benchmark. Exits with 1 if the ratio new / old of a
-benchmark exceeds the limit, or if no benchmark is in both builds.
+benchmark exceeds the limit. Also exits with 1 if no benchmark is in both builds.
 """
 import argparse
 import json

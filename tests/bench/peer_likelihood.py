@@ -1,7 +1,7 @@
 """Compares NLML and gradient of a hand-written NumPy/SciPy implementation with ours, interleaved, one thread each.
 
 Usage: peer_likelihood.py path/to/terratact-bench-likelihood [rows] [inputs] [rounds]
-Prints CPU milliseconds of both (fastest and median of the rounds), their ratio, and the differences of value and
+Prints CPU milliseconds of both (fastest and median of the rounds) and their ratio. Prints the differences of value and
 gradient.
 """
 

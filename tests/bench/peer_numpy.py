@@ -3,7 +3,7 @@
 
 U training rows, d inputs, nine unknown bins of eleven.  Constants of the sampling are computed
 before: L⁻¹ of every bin, the distances of fixed inputs per scene.  One sweep draws every unknown bin once in
-all chains, from a normal truncated at the ceiling (inverse of the distribution function).
+all chains.  The draws are from a normal truncated at the ceiling (inverse of the distribution function).
 """
 import json
 import sys

@@ -1,5 +1,5 @@
-// Measures the posterior check of both sides on simulated scenes: the share of scenes that it refuses without a fault
-// and with a fault of one kind of sensor, and its cost. Arguments: seed, drives, and a file of ground lines
+// Measures the posterior check of both sides on simulated scenes. Prints its cost and the share of refused scenes,
+// without a fault and with one of each kind of sensor. Arguments: seed, drives, and a file of ground lines
 // (docs/files.md) to drive over instead of generated ground.
 #include <array>
 #include <chrono>

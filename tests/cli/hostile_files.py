@@ -175,7 +175,7 @@ class Pages:
         self.pages[root - 1][:] = self.inner(level + [level[-1]] if len(level) == 1 else level)
 
     def repeat(self, root, leaves, depth):
-        """Puts a tree below the root in which the leaves take turns, and all inner pages of a level are one page."""
+        """Puts a tree below the root. Its leaves take turns, and all inner pages of a level are one page."""
         fan = (self.size - 16) // 16
         for _ in range(depth):
             leaves = [self.add(self.inner([(leaves[i % len(leaves)], 1 + i) for i in range(fan)]))]

@@ -348,7 +348,7 @@ def read_terminal(master):
 
 
 class NoFonts(Folder):
-    def test_a_picture_without_letters_is_not_drawn(self):
+    def test_a_picture_without_a_font_is_not_drawn(self):
         config = self.path / "fonts.conf"
         config.write_text("<?xml version='1.0'?><fontconfig></fontconfig>")
         done = subprocess.run([CLI, "session", "report", DEMO, "--out", self.path / "r.pdf"], capture_output=True, text=True,

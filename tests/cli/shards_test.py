@@ -18,8 +18,8 @@ def job_array():
     return [line for line in documented("GNU parallel") if line]
 
 
-# A stand-in for Slurm's sbatch. It runs a job at once and its array tasks one after another, in an order that scripts
-# must not rely on. It refuses a job before its dependencies.
+# A stand-in for Slurm's sbatch. It runs a job at once and its array tasks one after another. Scripts must not rely on
+# their order. It refuses a job before its dependencies.
 SBATCH = r"""#!/bin/sh -e
 parsable= script= array=
 while [ $# -gt 0 ]; do

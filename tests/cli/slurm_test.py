@@ -56,7 +56,7 @@ class Slurm(Distributed):
         return self.assert_completed(slurm, last) - before
 
     def run_a_task_again(self, slurm):
-        """Loses a part of the evaluation and the merged result, and runs the documented lines that mend it."""
+        """Loses a part of the evaluation and the merged result, and runs the documented lines that repair it."""
         evaluation = self.path / "distributed/evaluation"
         for path in evaluation.iterdir():
             if path.suffix != ".tte" or path.name == "part_7_of_32.tte":

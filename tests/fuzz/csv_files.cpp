@@ -1,5 +1,5 @@
-// Fuzzes the other CSV files. The first byte selects: p a profile's points or heights, b its heights as blocks, a arm
-// readings, c an index of classes, l lines of a ground.
+// Fuzzes the other CSV files. The first byte selects the kind. p: points or heights of a profile. b: its heights as
+// blocks. a: readings of the arm. c: an index of classes. l: lines of a ground.
 #include <cmath>
 #include <cstdint>
 

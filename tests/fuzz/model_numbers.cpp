@@ -1,5 +1,5 @@
 // Fuzzes the numbers of a model. In the first byte, the lowest two bits select the number of training rows. The next
-// bit sends the model through a file, the next one makes a height unknown; the highest two bits select the method. Then
+// bit sends the model through a file. The next one makes a height unknown. The highest two bits select the method. Then
 // each 10 bytes change one number (two select it, eight are its value). An accepted model survives a file. It estimates
 // a terrain with finite numbers, or says why it cannot.
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Fuzzes recordings of other programs: MCAP, ROS 1 bags and CSV by their content. Every message is of a topic, every
-// number that is listed is found by its path, and messages about a file are one line.
+// Fuzzes recordings of other programs: MCAP, ROS 1 bags and CSV by their content. Every message is of a topic. Every
+// listed number is found by its path. Messages about a file are one line.
 #include "core/bags/recording.h"
 
 #include <cmath>

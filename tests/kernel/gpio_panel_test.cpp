@@ -316,7 +316,7 @@ TEST_F(PanelKernel, aBrokenWireOfStopStops)
     EXPECT_TRUE(poll().state.stop) << "in the very next look";
 }
 
-TEST_F(PanelKernel, anOpeningOfStopBetweenTwoLooksStops)
+TEST_F(PanelKernel, aStopOpenedBetweenTwoPollsStops)
 {
     ASSERT_TRUE(isReady()) << report.trouble.english();
     close(kStop, false);

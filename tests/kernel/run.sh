@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a program as root inside the user-mode Linux of tests/kernel/build.sh, on the host's files, with the caller's
+# Runs a program as root inside the user-mode Linux of tests/kernel/build.sh. It has the host's files and the caller's
 # environment and directory:
 #   tests/kernel/run.sh [--timeout SECONDS] [--clock host|guest] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
 #   --timeout  host time until the kernel is killed; default 120

@@ -39,7 +39,7 @@ inline constexpr std::array kHostile{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::max(), -1e300};
 
-/// Runs the event loop until the condition is true; returns false after `patience` [ms] of the testClock, which a busy
+/// Runs the event loop until the condition is true. Returns false after `patience` [ms] of the testClock, which a busy
 /// machine slows down. Without such a clock it returns false only after kHang, too.
 template <class Condition>
 bool eventually(Condition&& condition, int patience = 20000)

@@ -34,12 +34,12 @@ struct SimulatedSet {
     GibbsProblem problem;
 };
 
-/// Simulation-based calibration. Truth and data are drawn from the model that the sampler assumes. The rank of any
-/// quantity of the truth among those of L independent posterior draws is then uniform on 0 … L.
+/// Simulation-based calibration. Truth and data are drawn from the model that the sampler assumes. A quantity of the
+/// truth then has a uniform rank, 0 … L, among L independent posterior draws.
 ///   simulate    draws the truth and the problem of the next set; chains, sweeps and seed are set here
 ///   sample      the sampler under test
-///   quantities  functions of truth and draws that are ranked. At least one must relate unknown and known bins, because
-///               the ranks of heights alone are uniform even if a sampler ignores the known bins
+///   quantities  functions of truth and draws that are ranked. At least one must relate unknown and known bins: the
+///               ranks of heights alone are uniform even if a sampler ignores the known bins
 /// L = `draws` chains give one draw each after `burnIn` sweeps. They are independent by construction and need no
 /// thinning.
 /// Source: Talts, Betancourt, Simpson, Vehtari, Gelman, arXiv:1804.06788 (2018), Algorithm 1. Quantities that depend on

@@ -54,7 +54,7 @@ TEST_F(FeelForwardConsole, goesOnThroughTheGateWhileItsKeyIsHeld)
     ASSERT_TRUE(feelsFor(0.25));
     EXPECT_TRUE(says("m/min")) << "pace and way are shown";
     picture("feel-forward");
-    // A held key repeats: as events that tell it, or as a release and a press.
+    // A held key repeats: as auto-repeat events, or as a release and a press.
     for (const bool repeats : {true, false}) {
         sendKey(QEvent::KeyRelease, repeats);
         sendKey(QEvent::KeyPress, repeats);

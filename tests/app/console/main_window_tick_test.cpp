@@ -139,7 +139,7 @@ TEST_F(BusConsole, aFloodOfFramesIsNoFloodOfSignals)
         bus.put({.id = 0x100 + static_cast<std::uint32_t>(i % 200), .length = 8, .data = {}});
     for (const double end = steadyNow() + 60.0; steadyNow() < end;) {
         if (window->link()->view().frames.received >= before + kFlood) break;
-        std::this_thread::sleep_for(1ms);  // no event tells it, and the event loop must stand still
+        std::this_thread::sleep_for(1ms);  // no event reports it, and the event loop must not run
     }
     ASSERT_GE(window->link()->view().frames.received, before + kFlood);
     EXPECT_LT(posts.consume(), 20) << "for " << kFlood << " frames";

@@ -22,7 +22,7 @@ TEST_F(PlotsOfBus, showFramesEstimatesAndErrors)
                   {"bus:frames_per_second"},
                   {"estimate:sd_max.left", "estimate:error_max.left"}};
     panel().state().setRows(rows);
-    emit panel().sets()->textActivated("no such set");  // tells the source
+    emit panel().sets()->textActivated("no such set");  // notifies the source
     window->rail()->choose(window->rail()->pageOf(kPlotsKey));
     const auto count = [&](int row) {
         return panel().values()->text(row, PlotValues::Count).toInt();

@@ -56,7 +56,7 @@ std::string leftInEnglish(QString english, const QString& translated)
     return left.join(QStringLiteral(", ")).toStdString();
 }
 
-/// Returns every text of the review's list and of both reports in the language in force.
+/// Returns every text of the review's list and of both reports in the active language.
 QStringList textsOf(SessionReader& session)
 {
     QStringList texts;

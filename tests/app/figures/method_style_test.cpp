@@ -1,4 +1,4 @@
-// Tests that figures tell methods apart.
+// Tests that figures distinguish methods.
 #include "app/figures/method_style.h"
 
 #include <gtest/gtest.h>

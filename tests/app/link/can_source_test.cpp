@@ -48,7 +48,7 @@ struct Link : testing::Test {
         for (const double end = steadyNow() + seconds; steadyNow() < end;) {
             if (operatorThere) source.operatorAlive();
             if (condition()) return true;
-            std::this_thread::sleep_for(10ms);  // between two looks at the condition
+            std::this_thread::sleep_for(10ms);  // between two polls of the condition
         }
         return false;
     }

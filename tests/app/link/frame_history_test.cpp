@@ -244,7 +244,7 @@ TEST(FrameHistoryCost, isLessThanFormattingEveryFrame)
     EXPECT_LT(tapped, 20.0) << "a fifth of a core at 9000 frames/s";
 }
 
-TEST(FrameHistoryThreads, mayBeLookedAtWhileItTakes)
+TEST(FrameHistoryThreads, isReadableWhileAdding)
 {
     const std::vector<BusFrame> frames = fullBus(9000);
     FrameHistory tap;

@@ -119,7 +119,7 @@ TEST_F(ForeignFramesOnThePage, closingWaitsForAtMostOneDbcFile)
         window->preferences().change([this](Preferences& p) { p.dbc = {file("clash.dbc")}; });
     QTest::qWait(300);
     const std::jthread lets([&] {
-        std::this_thread::sleep_for(500ms);  // the kernel does not tell when the reader blocks
+        std::this_thread::sleep_for(500ms);  // the kernel does not report when the reader blocks
         first.letGo();
     });
     const double began = steadyNow();

@@ -260,8 +260,8 @@ TEST_F(Recorder, everyFileHasTheStateFromBeforeItsStart)
         recorder.record(someScene(1, 0));
         recorder.record(someEstimate(1, 0));
         recorder.record(someProposal(0));
-        // The recorder does not tell when its thread has taken the rows: this gives it ten turns. A later turn hides a
-        // fault but fails no test.
+        // The recorder does not report when its thread has taken the rows. This gives it ten turns. A later turn hides
+        // a fault but fails no test.
         std::this_thread::sleep_for(100ms);
         for (const char* const what : {"approve", "stop"}) {
             recorder.setOn(true);

@@ -55,7 +55,7 @@ TEST(ConsoleOptionsTest, onlyARobotOnABusIsCommanded)
     EXPECT_NE(refusal("drive.log --speed 0"), "");
 }
 
-TEST(ConsoleOptionsTest, anUnknownLookIsRefused)
+TEST(ConsoleOptionsTest, anUnknownDisplayOptionIsRefused)
 {
     EXPECT_EQ(refusal("--theme night-red --layout drive --language cs --font-scale 120 "
                       "--length-unit cm --angle-unit rad"),

@@ -1,8 +1,7 @@
-// Prints a hash of every bit of several results: truncated normal draws; the sampler's states in
-// single and double precision, and through few training rows; an estimate's numbers; whole
-// estimates by local, joint and clearance.
-// same_draws_test.py compares the output of builds by several compilers: its own builds, or those
-// of the presets.
+// Prints a hash of every bit of several results. These are truncated normal draws, an estimate's numbers, and whole
+// estimates by local, joint and clearance. Also the sampler's states in single and double precision, and through few
+// training rows.
+// same_draws_test.py compares the output of builds by several compilers: its own builds, or those of the presets.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,6 +1,6 @@
 """Same seed, same bytes: builds same_draws.cpp by several compilers and optimisations and compares what the
-programs print, each in 1 and 4 threads.  With the baseline kernels, which every processor runs, and one
-BLAS thread, as the console and the command line set it: OpenBLAS adds in another order with more.
+programs print, each in 1 and 4 threads.  The kernels are the baseline ones, which every processor runs.  BLAS
+has one thread, as the console and the command line set it: OpenBLAS adds in another order with more.
 --native builds the kernels of every instruction set, and the fastest that this processor has are compared.
 
 same_draws_test.py [--native] [--builds g++-12:-O0 g++-12:-O2 clang++-14:-O0 clang++-14:-O2]

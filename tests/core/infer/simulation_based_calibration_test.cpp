@@ -120,8 +120,8 @@ private:
     std::normal_distribution<double> normal_;
 };
 
-/// Returns the heights of the unknown bins (all but 4 and 8), the step to the next bin, and
-/// (h − mean)ᵀ C⁻¹ (h − mean).
+/// Returns the heights of the unknown bins (all but 4 and 8) and the steps to the next bin. The
+/// last one is (h − mean)ᵀ C⁻¹ (h − mean).
 Eigen::VectorXd quantities(const Heights& heights)
 {
     static const Eigen::LLT<Eigen::MatrixXd> C(priorCovariance());

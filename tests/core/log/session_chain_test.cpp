@@ -15,7 +15,7 @@ namespace {
 struct Tampering {
     const char* name;
     const char* sql;
-    SessionTime from;  ///< nothing before it is in doubt
+    SessionTime from;  ///< everything before it is verified
 };
 std::ostream& operator<<(std::ostream& out, const Tampering& tampering)
 {

@@ -59,7 +59,7 @@ inline void change(const std::string& path, const std::string& sql)
     sqlite3_close(file);
 }
 
-/// Writes a session, changes it, and hashes its rows anew. Returns the reader's complaints.
+/// Writes a session, changes it, and hashes its rows again. Returns the reader's complaints.
 inline std::string complaintsAfter(const std::string& path, const std::string& sql)
 {
     seal(path, 200);

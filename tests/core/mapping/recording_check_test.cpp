@@ -16,7 +16,7 @@ namespace terratact {
 namespace {
 
 struct Checks : testing::Test {
-    /// Returns the doubts about 100 rows whose values `row` makes.
+    /// Returns the warnings about 100 rows whose values `row` makes.
     template <class Row>
     std::vector<std::string> doubts(Row row, const std::string& mapping = csvMapping())
     {

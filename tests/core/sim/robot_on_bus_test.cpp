@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-/// Returns what a console hears of a robot with exact sensors whose left side stands on a kerb.
+/// Returns what a console receives of a robot with exact sensors whose left side stands on a kerb.
 std::optional<Measurement> heardOnAKerb(const RobotModel& robot, const RobotModel& assumed)
 {
     const GroundLines kerb(

@@ -55,7 +55,7 @@ TEST(SimulatedRobot, reportsNoWayThatItsTracksDidNotRoll)
     }
 }
 
-/// Returns ground with a kerb of this height at x = 3 m on the left and level ground on the right.
+/// Returns ground with a kerb of this height at x = 3 m on the left. The right is level.
 GroundLines kerbLeft(double height)
 {
     return GroundLines({{0.2, stepTerrain(height, 3.0, 6.0)}, {-0.2, stepTerrain(0.0, 3.0, 6.0)}});

@@ -53,7 +53,7 @@ struct Journal : testing::Test {
     void SetUp() override { file.run("CREATE TABLE t(id INTEGER PRIMARY KEY, text TEXT)"); }
 };
 
-/// A journal that was begun anew twice: its end holds frames of both times before.
+/// A journal that was restarted twice: its end holds frames of both times before.
 struct UsedAgain : Journal {
     void SetUp() override
     {

@@ -153,7 +153,7 @@ TEST(TrailModel, AMirroredSceneHasAMirroredPrediction)
         1e-9);
 }
 
-/// Returns errors of this many scenes in each of some drives. Each scene errs by the number of its drive.
+/// Returns errors of this many scenes in each of some drives. The error of a scene is the number of its drive.
 TrailErrors errorsByDrive(int drives, int scenes)
 {
     const Eigen::Index n = Eigen::Index{drives} * scenes;

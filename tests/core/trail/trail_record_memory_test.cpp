@@ -33,8 +33,8 @@ Measurement pressedLine()
     return line;
 }
 
-/// Drives this way [m] with a line of telemetry every millimetre. At each place of the record there is a press, with a
-/// reading of the arm at each place in its reach.
+/// Drives this way [m] with a line of telemetry every millimetre. At each place of the record there is a press. The arm
+/// has a reading at each place in its reach.
 void fill(TrailRecord& record, const RobotModel& robot, double way)
 {
     constexpr int kLines = 20;                                          // from press to press

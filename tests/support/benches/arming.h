@@ -12,7 +12,7 @@
 /// Arming by an operator, for every test with a console on a bus.
 namespace terratact {
 
-/// [s] over a good link, after which the robot has heard its ten heartbeats
+/// [s] over a good link, after which the robot has received its ten heartbeats
 inline constexpr double kHeardFor = 1.4;
 
 inline ArmingPhase armingOf(const MainWindow& window)

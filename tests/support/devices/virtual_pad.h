@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// A virtual joystick at SDL's own interface, which programs cannot tell from a real one. It is attached while the
-/// object lives; the test moves its controls.
+/// A virtual joystick at SDL's own interface, which programs cannot distinguish from a real one. It is attached while
+/// the object lives; the test moves its controls.
 class VirtualPad {
 public:
     enum class Kind : std::uint8_t { Gamepad, UnknownJoystick };

@@ -11,7 +11,7 @@
 
 namespace terratact {
 
-/// A robot whose sensors err: reading = truth + error.
+/// A robot whose sensors have errors: reading = truth + error.
 struct FloorRobot {
     RobotModel robot;
     PerFlipper<double> encoders{};              ///< [rad]
@@ -26,8 +26,8 @@ inline const FloorPoses kFloorPoses{{0.7, 0.6},   {-0.2, 0.6}, {-0.35, 0.6}, {-0
                                     {-0.4, -0.4}, {-0.6, -0.3}};
 inline const FloorPoses kRaisedFloorPoses{{0.7, 0.6}, {0.4, 0.3}, {0.9, 0.8}, {0.5, 0.7}};
 
-/// Returns the telemetry of a simulated robot on a flat floor at 20 Hz: each pose is held for two seconds, and after
-/// the first one the front flippers press with 12 N m if wanted.
+/// Returns the telemetry of a simulated robot on a flat floor at 20 Hz. Each pose is held for two seconds. If
+/// `presses`, the front flippers press with 12 N m after the first one.
 inline std::vector<TelemetryLine> floorRecording(const FloorRobot& truth, std::uint64_t seed,
                                                  const FloorPoses& poses = kFloorPoses,
                                                  bool presses = true)

@@ -1,4 +1,4 @@
-// Tests that widgets of hidden pages learn of a new look later, and look the same then.
+// Tests that widgets of hidden pages adopt a new theme later, and look the same then.
 #include "widgets/base/hidden_pages.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ struct HiddenPagesOf : testing::Test {
     CountingLabel *shown = nullptr, *hidden = nullptr;
 };
 
-TEST_F(HiddenPagesOf, learnOfALookWhenTheyAreShown)
+TEST_F(HiddenPagesOf, adoptANewThemeWhenTheyAreShown)
 {
     applyLook(*qApp, ThemeName::NightRed, 150);
     applyLook(*qApp, ThemeName::HighContrast, 200);
@@ -73,7 +73,7 @@ TEST_F(HiddenPagesOf, learnOfALookWhenTheyAreShown)
     EXPECT_EQ(gui::painted(*shown), second);
 }
 
-TEST_F(HiddenPagesOf, learnOfALookInIdleTime)
+TEST_F(HiddenPagesOf, adoptANewThemeInIdleTime)
 {
     applyLook(*qApp, ThemeName::NightRed, 150);
     EXPECT_TRUE(eventually([&] { return hidden->changes > 0; }));

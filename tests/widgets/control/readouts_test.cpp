@@ -1,4 +1,4 @@
-// Tests the widgets that only show text: readout, strip, events. Also what a screen reader is told.
+// Tests the widgets that only show text: readout, strip, events. Also what a screen reader announces.
 #include <gtest/gtest.h>
 
 #include <QAccessible>
@@ -134,7 +134,7 @@ TEST(Readout, staleValuesAreNotShown)
     }
 }
 
-/// Records what a screen reader is told: name and description of announced widgets.
+/// Records what a screen reader announces: name and description of announced widgets.
 struct Listener final : QObject {
     Listener() { qApp->installEventFilter(this); }
     bool eventFilter(QObject* object, QEvent* event) override

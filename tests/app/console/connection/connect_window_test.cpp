@@ -70,7 +70,7 @@ struct ConnectBench : testing::Test {
     ConnectWindow window;
 };
 
-TEST_F(ConnectBench, listsEverySourceAndWhatMendsIt)
+TEST_F(ConnectBench, listsEverySourceAndItsRepair)
 {
     ASSERT_EQ(window.list()->count(), 5);
     EXPECT_EQ(window.list()->item(1)->text(), "CAN bus can0 — can be used");
@@ -122,7 +122,7 @@ TEST_F(ConnectBench, thePermissionToSendIsForOneBus)
     EXPECT_FALSE(wishes[0].transmit);
 }
 
-TEST_F(ConnectBench, keepsTheBusByItsNameAfterAnotherLook)
+TEST_F(ConnectBench, keepsTheBusByItsNameAfterANewSearch)
 {
     choose(1);
     offers.insert(offers.begin(), {"a0", goodBus().findings});
@@ -141,7 +141,7 @@ TEST_F(ConnectBench, keepsTheBusByItsNameAfterAnotherLook)
     EXPECT_EQ(window.facts(), "CAN bus can0 is no longer there");
 }
 
-TEST(ConnectWindow, staysUsableWhileItLooks)
+TEST(ConnectWindow, staysUsableWhileItSearches)
 {
     constexpr std::chrono::seconds kLong(5);
     std::promise<void> go;

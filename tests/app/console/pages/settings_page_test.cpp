@@ -175,7 +175,7 @@ TEST_F(SettingsInForce, theWheelChangesOnlyTheBoxWithTheFocus)
     EXPECT_LT(window->preferences().current().forceThreshold, before.forceThreshold);
 }
 
-TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
+TEST_F(SettingsInForce, theThemeChangesAtOnceAndBackAgain)
 {
     page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
     EXPECT_EQ(window->preferences().current().theme, ThemeName::NightRed);

@@ -102,7 +102,7 @@ TEST_F(MissionReport, hasTheSealTheHashesAndTheGround)
               std::string::npos);
 }
 
-TEST_F(MissionReport, tellsHowManyBandsHeldByTouch)
+TEST_F(MissionReport, statesHowManyBandsHeldByTouch)
 {
     const auto report = missionReportOf(reader);
     ASSERT_TRUE(report) << report.error().text;

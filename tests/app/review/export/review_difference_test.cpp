@@ -34,7 +34,7 @@ TEST(ReviewDifference, hasBothSidesWhereTheyChangedByOtherAmounts)
     EXPECT_EQ(numbersCsv({}).section('\n', 1, 1).count(','), csv.section('\n', 0, 0).count(','));
 }
 
-TEST_F(ReviewOf, twoCursorsLoopAndTellTheDifference)
+TEST_F(ReviewOf, twoCursorsLoopAndShowTheDifference)
 {
     record();
     open();

@@ -107,8 +107,7 @@ TEST(ProbeGains, areNothingForABinThatIsCertain)
 
 TEST(ProbeGains, ofAnIndependentBinLeaveTheOthersUnchanged)
 {
-    // With few draws a reading leaves about 70 of 200; their plain variance would be 1/70 too small
-    // in every bin.
+    // With few draws a reading leaves about 70 of 200. Their plain variance would be 1/70 too small in every bin.
     constexpr int kSeeds = 40;
     std::mt19937_64 rng(4);
     std::normal_distribution<double> normal(0.0, 0.1);

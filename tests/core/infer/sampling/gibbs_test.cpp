@@ -199,7 +199,7 @@ TEST(Gibbs, inSeveralThreadsIsCancelledAndReportsOneByOne)
     EXPECT_THROW((void)sampleHeights(models(), problem, watch), Cancelled);
 }
 
-/// Records which scene was asked for which bin.
+/// Records which scene was requested for which bin.
 class Noting final : public Conditionals, public SceneConditionals {
 public:
     using Notes = std::vector<std::pair<char, int>>;

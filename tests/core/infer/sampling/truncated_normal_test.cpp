@@ -351,8 +351,8 @@ TEST(DrawBetweenEffort, endsWithEveryGenerator)
         for (const double width : {1e-12, 0.1, 2.4, 2.6, 40.0, kInfinity}) {
             const Interval i{ceiling - width, ceiling, 0.0, 1.0};
             for (const std::uint64_t word : {std::uint64_t{0}, ~std::uint64_t{0}}) {
-                // The generator always gives the same number, or alternates between least and
-                // largest: such points lie outside the disc, and never below the density.
+                // The generator always gives the same number, or alternates between least and largest. Such points lie
+                // outside the disc, and never below the density.
                 for (const bool turns : {false, true}) {
                     long numbers = 0;
                     const double h = drawBetween(i.floor, i.ceiling, i.mean, i.sigma, [&] {

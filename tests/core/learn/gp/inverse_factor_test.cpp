@@ -272,7 +272,7 @@ TEST(InverseFactor, isReducedByTheNextCallerAfterACancellation)
     EXPECT_EQ(again, 1);
 }
 
-/// Returns the flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty if the
+/// Returns the flags of the mapping that holds an address (proc(5), VmFlags of smaps). Empty: the
 /// system does not report them.
 std::string mappingFlags(const void* address)
 {

@@ -116,8 +116,8 @@ TEST(SparseProcess, takesOnlyRowsThatKeepItWellConditioned)
     }
 }
 
-/// Returns the largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance,
-/// at rows and beside them.
+/// Returns the largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, at rows and beside them. It
+/// is a share of the variance.
 double worstOf(const ReducedVariance& reduced, const SparseData& data)
 {
     const double noise2 = data.hyper.noiseSd * data.hyper.noiseSd;

@@ -188,7 +188,7 @@ OptionalHeights contactsOf(Eigen::Index u)
 
 TEST(ClearanceTraining, aContactsBiasIsItsOwnErrorNotThePredictions)
 {
-    // Every prediction is 2 cm too high on average, and contacts tell 1 cm of its error. The residuals
+    // Every prediction is 2 cm too high on average, and contacts show 1 cm of its error. The residuals
     // hold the 2 cm already.
     ModelData model = toy();
     const Eigen::MatrixXd ceilings = bodyCeilings(model.features, absolem());

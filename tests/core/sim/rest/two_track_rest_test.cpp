@@ -224,7 +224,7 @@ TEST(TwoTrackRest, keepsItsRollWhenItStartsFromIt)
     EXPECT_GE(kept, 0.9 * poses) << kept << " of " << poses;
 }
 
-/// Returns the rest pose at the same x with another roll, to which 0.12 rad more or less roll at the start leads.
+/// Returns the rest pose at the same x with another roll. A start with 0.12 rad more or less roll leads to it.
 std::optional<TwoTrackRest> withAnotherRoll(const RobotModel& robot, const GroundLines& ground,
                                             const TwoTrackRest& rest)
 {
