@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>Terratact could not start</source>
-        <translation>Terratact nemohl začít</translation>
+        <translation>Terratact nelze spustit</translation>
     </message>
     <message>
         <source>no font is installed, so no text could be read: install one, such as fonts-dejavu-core</source>
@@ -386,7 +386,7 @@
     </message>
     <message>
         <source>LINK RESTORED after %1 — values are live; the terrain predates the gap</source>
-        <translation>ZPĚT po %1 — měřené hodnoty jsou živé, terén je z doby předtím</translation>
+        <translation>SPOJENÍ ZPĚT po %1 — hodnoty jsou živé, terén je z doby předtím</translation>
     </message>
 </context>
 <context>
@@ -423,11 +423,11 @@
     <name>MethodText</name>
     <message>
         <source>uses pitch and flipper angles; Markov chains</source>
-        <translation>užívá sklon a úhly ploutví; Markovovy řetězce</translation>
+        <translation>užívá sklon a úhly flipperů; Markovovy řetězce</translation>
     </message>
     <message>
         <source>uses pitch, flipper angles and body; Markov chains</source>
-        <translation>užívá sklon, úhly ploutví a tělo robota; Markovovy řetězce</translation>
+        <translation>užívá sklon, úhly flipperů a tělo robota; Markovovy řetězce</translation>
     </message>
     <message>
         <source>uses what pac uses, forces and currents; Markov chains</source>
@@ -466,11 +466,11 @@
     </message>
     <message>
         <source>%1 scenes, %2 % with a step above %3; median relief %4</source>
-        <translation>%1 scén, %2 % z nich se schodem nad %3; střední převýšení %4</translation>
+        <translation>%1 scén, %2 % z nich se schodem nad %3; medián převýšení %4</translation>
     </message>
     <message>
         <source>%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6</source>
-        <translation>%1: střední chyba %2 mm, 80% pásmo drží %3 % – %4 scén z %5, %6</translation>
+        <translation>%1: průměrná chyba %2 mm, v pásmu 80 % leží %3 % – %4 scén z %5, %6</translation>
     </message>
     <message>
         <source> – the scenes it was trained on</source>
@@ -867,7 +867,7 @@
     </message>
     <message>
         <source>there is no STOP to release</source>
-        <translation>není žádné STOP k uvolnění</translation>
+        <translation>není žádný STOP k uvolnění</translation>
     </message>
     <message>
         <source>STOP: not known, no telemetry</source>
@@ -895,7 +895,7 @@
     </message>
     <message>
         <source>pitch or roll is beyond the tip-over angle: bring the robot back onto its tracks first</source>
-        <translation>podélný nebo příčný náklon je za úhlem převrácení: nejprve vraťte robot na pásy</translation>
+        <translation>sklon nebo náklon je za úhlem převrácení: nejprve vraťte robota na pásy</translation>
     </message>
     <message>
         <source>left and right are estimated separately</source>
@@ -903,11 +903,11 @@
     </message>
     <message>
         <source>the robot reports odometry</source>
-        <translation>robot hlásí ujetou dráhu</translation>
+        <translation>robot hlásí odometrii</translation>
     </message>
     <message>
         <source>the robot reports no odometry</source>
-        <translation>robot nehlásí ujetou dráhu</translation>
+        <translation>robot nehlásí odometrii</translation>
     </message>
     <message>
         <source>no open question</source>
@@ -918,7 +918,7 @@
     <name>PreferenceText</name>
     <message>
         <source>theme</source>
-        <translation>vzhled</translation>
+        <translation>barvy</translation>
     </message>
     <message>
         <source>size of text</source>
@@ -934,7 +934,7 @@
     </message>
     <message>
         <source>alarms may be heard</source>
-        <translation>alarmy smějí znít</translation>
+        <translation>zvuk alarmů</translation>
     </message>
     <message>
         <source>sound of contacts</source>
@@ -942,7 +942,7 @@
     </message>
     <message>
         <source>step limit</source>
-        <translation>mez překážky</translation>
+        <translation>mez schodu</translation>
     </message>
     <message>
         <source>method</source>
@@ -966,7 +966,7 @@
     </message>
     <message>
         <source>the arm is offered above a sd of</source>
-        <translation>rameno se nabízí od směr. odchylky</translation>
+        <translation>rameno se nabízí od sd</translation>
     </message>
     <message>
         <source>roll limit of the verdict</source>
@@ -978,7 +978,7 @@
     </message>
     <message>
         <source>flipper difference limit of the verdict</source>
-        <translation>mez rozdílu ploutví pro verdikt</translation>
+        <translation>mez rozdílu flipperů pro verdikt</translation>
     </message>
     <message>
         <source>tilt limit, amber</source>
@@ -994,7 +994,7 @@
     </message>
     <message>
         <source>delete a session after</source>
-        <translation>smazat záznam po</translation>
+        <translation>smazat relaci po</translation>
     </message>
     <message>
         <source>delete the oldest beyond</source>
@@ -1002,7 +1002,7 @@
     </message>
     <message>
         <source>sessions may be deleted</source>
-        <translation>záznamy se smějí mazat</translation>
+        <translation>relace se smějí mazat</translation>
     </message>
     <message>
         <source>model file</source>
@@ -1010,7 +1010,7 @@
     </message>
     <message>
         <source>robot file, with its torques</source>
-        <translation>soubor robotu s jeho momenty</translation>
+        <translation>soubor robota s jeho momenty</translation>
     </message>
     <message>
         <source>DBC files</source>
@@ -1018,7 +1018,7 @@
     </message>
     <message>
         <source>controls of the gamepad</source>
-        <translation>ovladače gamepadu</translation>
+        <translation>prvky gamepadu</translation>
     </message>
     <message>
         <source>dead zone of the gamepad</source>
@@ -1141,7 +1141,7 @@
     </message>
     <message>
         <source>controls of a gamepad as this program writes them</source>
-        <translation>ovladače gamepadu, jak je zapisuje tento program</translation>
+        <translation>prvky gamepadu, jak je zapisuje tento program</translation>
     </message>
     <message>
         <source>at most %1 lines</source>
@@ -1172,11 +1172,11 @@
     </message>
     <message>
         <source>%1: %2 ms, exact quantiles by a formula, mean error %3 mm</source>
-        <translation>%1: %2 ms, přesné kvantily podle vzorce, střední chyba %3 mm</translation>
+        <translation>%1: %2 ms, přesné kvantily podle vzorce, průměrná chyba %3 mm</translation>
     </message>
     <message>
         <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, and only these have a verdict</source>
-        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
+        <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, průměrná chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
     </message>
     <message>
         <source>%1: not measured</source>
@@ -1261,7 +1261,7 @@
 %2 frames, %3 MB; %4 frames dropped
 A click marks this moment (K)</source>
         <translation>Zaznamenává se: %1
-%2 rámců, %3 MB; pro %4 rámců nebylo místo
+%2 rámců, %3 MB; ztraceno rámců: %4
 Kliknutí označí tento okamžik (K)</translation>
     </message>
     <message>
@@ -1399,11 +1399,11 @@ značka K</translation>
     </message>
     <message>
         <source>telemetry gap</source>
-        <translation>výpadek telemetrie</translation>
+        <translation>bez telemetrie</translation>
     </message>
     <message>
         <source>override</source>
-        <translation>přes pochybnost</translation>
+        <translation>přebití</translation>
     </message>
     <message>
         <source>alarm</source>
@@ -1827,7 +1827,7 @@ značka K</translation>
     </message>
     <message>
         <source>pitch %1°, roll %2°; flippers front %3° %4°, rear %5° %6°; forces %7 N</source>
-        <translation>podélný náklon %1°, příčný %2°; flippery vpředu %3° %4°, vzadu %5° %6°; síly %7 N</translation>
+        <translation>podélný sklon %1°, náklon %2°; flippery vpředu %3° %4°, vzadu %5° %6°; síly %7 N</translation>
     </message>
     <message>
         <source>left</source>
@@ -2105,7 +2105,7 @@ značka K</translation>
     <name>ReviewDisplay</name>
     <message>
         <source>link %1 Hz</source>
-        <translation>spojení %1 Hz</translation>
+        <translation>spoj %1 Hz</translation>
     </message>
     <message>
         <source>no telemetry</source>
@@ -2140,7 +2140,7 @@ značka K</translation>
     </message>
     <message>
         <source>Picture of the terrain</source>
-        <translation>Obrázek terénu</translation>
+        <translation>Obraz terénu</translation>
     </message>
     <message>
         <source>Numbers of this time</source>
@@ -2172,11 +2172,11 @@ značka K</translation>
     </message>
     <message>
         <source>Mission report, the whole session</source>
-        <translation>Zpráva o misi, celý záznam</translation>
+        <translation>Zpráva o misi, celá relace</translation>
     </message>
     <message>
         <source>Strip of felt ground, the whole session</source>
-        <translation>Pás ohmataného terénu, celý záznam</translation>
+        <translation>Pás ohmataného terénu, celá relace</translation>
     </message>
 </context>
 <context>
@@ -2211,19 +2211,19 @@ značka K</translation>
     </message>
     <message>
         <source>alarm: %1</source>
-        <translation>poplach: %1</translation>
+        <translation>alarm: %1</translation>
     </message>
     <message>
         <source>alarm seen: %1</source>
-        <translation>poplach potvrzen: %1</translation>
+        <translation>alarm potvrzen: %1</translation>
     </message>
     <message>
         <source>alarm returned: %1</source>
-        <translation>poplach pominul, nepotvrzen: %1</translation>
+        <translation>alarm pominul, nepotvrzen: %1</translation>
     </message>
     <message>
         <source>alarm gone: %1</source>
-        <translation>poplach skončil: %1</translation>
+        <translation>alarm skončil: %1</translation>
     </message>
     <message>
         <source>1 link</source>
@@ -2247,11 +2247,11 @@ značka K</translation>
     </message>
     <message>
         <source>6 operator</source>
-        <translation>6 obsluha</translation>
+        <translation>6 operátor</translation>
     </message>
     <message>
         <source>7 alarms</source>
-        <translation>7 poplachy</translation>
+        <translation>7 alarmy</translation>
     </message>
     <message>
         <source>8 markers</source>
@@ -2283,7 +2283,7 @@ značka K</translation>
     </message>
     <message>
         <source>alarm</source>
-        <translation>poplach</translation>
+        <translation>alarm</translation>
     </message>
     <message>
         <source>panel</source>
@@ -2311,7 +2311,7 @@ značka K</translation>
     </message>
     <message>
         <source>telemetry gap</source>
-        <translation>nebyl slyšet</translation>
+        <translation>bez telemetrie</translation>
     </message>
     <message>
         <source>override</source>
@@ -2319,7 +2319,7 @@ značka K</translation>
     </message>
     <message>
         <source>telemetry was missing for a while since the scene</source>
-        <translation>robota nebylo po scéně chvíli slyšet</translation>
+        <translation>po scéně chvíli chyběla telemetrie</translation>
     </message>
     <message>
         <source>nothing is overridden</source>
@@ -2334,7 +2334,7 @@ značka K</translation>
     <name>ReviewViewState</name>
     <message>
         <source>A review commands no robot</source>
-        <translation>Přehrávání neřídí žádného robota</translation>
+        <translation>Prohlížení neřídí žádného robota</translation>
     </message>
     <message>
         <source>what if: %1</source>
@@ -2437,7 +2437,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a profile&apos;s name has at most %1 letters</source>
-        <translation>jméno profilu má nejvýše %1 písmen</translation>
+        <translation>jméno profilu má nejvýše %1 znaků</translation>
     </message>
     <message>
         <source>a profile&apos;s name is one line of plain text</source>
@@ -2494,7 +2494,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the cross slope ahead may tip the robot over</source>
-        <translation>příčný sklon vpředu může robot převrátit</translation>
+        <translation>příčný sklon vpředu může robota převrátit</translation>
     </message>
     <message>
         <source>the cross slope ahead is not decided</source>
@@ -2725,7 +2725,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the robot has begun anew</source>
-        <translation>robot začal znovu</translation>
+        <translation>robot se restartoval</translation>
     </message>
     <message>
         <source>may be sent</source>
@@ -2853,7 +2853,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the robot reports no odometry</source>
-        <translation>robot nehlásí ujetou dráhu</translation>
+        <translation>robot nehlásí odometrii</translation>
     </message>
     <message>
         <source>halted</source>
@@ -2893,7 +2893,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the command is beyond the robot&apos;s limits</source>
-        <translation>povel je mimo meze robotu</translation>
+        <translation>povel je mimo meze robota</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3093,11 +3093,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>no GPIO chip named %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
-        <translation>žádný čip GPIO jménem %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo nahrajte jeho ovladač</translation>
+        <translation>žádný čip GPIO jménem %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo načtěte jeho ovladač</translation>
     </message>
     <message>
         <source>no GPIO chip labelled %1: this computer has none (no /dev/gpiochip*); plug it in, or load its driver</source>
-        <translation>žádný čip GPIO s označením %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo nahrajte jeho ovladač</translation>
+        <translation>žádný čip GPIO s označením %1: tento počítač nemá žádný (není /dev/gpiochip*); připojte jej, nebo načtěte jeho ovladač</translation>
     </message>
     <message>
         <source>no GPIO chip named %1: there is %2</source>
@@ -3281,7 +3281,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a standard deviation of clearances</source>
-        <translation>směrodatná odchylka mezer</translation>
+        <translation>směrodatná odchylka světlostí</translation>
     </message>
     <message>
         <source>the surface of bin %1</source>
@@ -3289,11 +3289,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the clearance conditional of bin %1</source>
-        <translation>podmíněné rozdělení mezer bodu %1</translation>
+        <translation>podmíněné rozdělení světlosti bodu %1</translation>
     </message>
     <message>
         <source>its clearances lack the features&apos; standardisation</source>
-        <translation>jeho mezerám chybí normování příznaků</translation>
+        <translation>jeho světlostem chybí normování příznaků</translation>
     </message>
     <message>
         <source>it has not one residual per training row and bin</source>
@@ -3305,7 +3305,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>its number of inducing rows is out of range</source>
-        <translation>jeho počet indukujících řádků je mimo rozsah</translation>
+        <translation>jeho počet opěrných řádků je mimo rozsah</translation>
     </message>
     <message>
         <source>its table length_scale is not in the order of the inputs</source>
@@ -3753,7 +3753,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>%1 has not one weight per inducing row</source>
-        <translation>%1 nemá jednu váhu na každý indukující řádek</translation>
+        <translation>%1 nemá jednu váhu na každý opěrný řádek</translation>
     </message>
     <message>
         <source>%1 is not finite</source>
@@ -3901,7 +3901,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>an error frame cannot be a remote frame</source>
-        <translation>chybový rámec nemůže být vyžádáním</translation>
+        <translation>chybový rámec nemůže být žádostí o data</translation>
     </message>
     <message>
         <source>an error frame cannot be a CAN FD frame</source>
@@ -4189,7 +4189,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>there is no home folder to record in: --sessions names another</source>
-        <translation>není domovská složka, do níž by se nahrávalo: --sessions určí jinou</translation>
+        <translation>není domovská složka, do níž by se zaznamenávalo: --sessions určí jinou</translation>
     </message>
     <message>
         <source>a text is too long</source>
@@ -4233,7 +4233,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>its journal %1 is not beside it: what was recorded after that is in there; both files belong together</source>
-        <translation>její žurnál %1 není vedle ní: co se nahrálo potom, je v něm; oba soubory patří k sobě</translation>
+        <translation>její žurnál %1 není vedle ní: co se zaznamenalo potom, je v něm; oba soubory patří k sobě</translation>
     </message>
     <message>
         <source>is empty without its journal %1, which is missing: copy both files</source>
@@ -4325,43 +4325,43 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>pitch angle</source>
-        <translation>podélný náklon</translation>
+        <translation>podélný sklon</translation>
     </message>
     <message>
         <source>roll angle</source>
-        <translation>příčný náklon</translation>
+        <translation>náklon</translation>
     </message>
     <message>
         <source>front left flipper angle</source>
-        <translation>úhel levého předního ramene</translation>
+        <translation>úhel levého předního flipperu</translation>
     </message>
     <message>
         <source>front right flipper angle</source>
-        <translation>úhel pravého předního ramene</translation>
+        <translation>úhel pravého předního flipperu</translation>
     </message>
     <message>
         <source>rear left flipper angle</source>
-        <translation>úhel levého zadního ramene</translation>
+        <translation>úhel levého zadního flipperu</translation>
     </message>
     <message>
         <source>rear right flipper angle</source>
-        <translation>úhel pravého zadního ramene</translation>
+        <translation>úhel pravého zadního flipperu</translation>
     </message>
     <message>
         <source>front left flipper current</source>
-        <translation>proud levého předního ramene</translation>
+        <translation>proud levého předního flipperu</translation>
     </message>
     <message>
         <source>front right flipper current</source>
-        <translation>proud pravého předního ramene</translation>
+        <translation>proud pravého předního flipperu</translation>
     </message>
     <message>
         <source>rear left flipper current</source>
-        <translation>proud levého zadního ramene</translation>
+        <translation>proud levého zadního flipperu</translation>
     </message>
     <message>
         <source>rear right flipper current</source>
-        <translation>proud pravého zadního ramene</translation>
+        <translation>proud pravého zadního flipperu</translation>
     </message>
     <message>
         <source>track odometry</source>
@@ -4397,7 +4397,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>no load while the flippers press, disconnected?</source>
-        <translation>bez zátěže, i když ramena tlačí, odpojený?</translation>
+        <translation>bez zátěže, i když flippery tlačí, odpojený?</translation>
     </message>
     <message>
         <source>loaded while nothing presses, drifted?</source>
@@ -4421,7 +4421,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a sensor may be wrong, see the alarms</source>
-        <translation>snímač možná neměří správně, viz poplachy</translation>
+        <translation>snímač možná neměří správně, viz alarmy</translation>
     </message>
     <message>
         <source>the estimate contradicts the readings</source>
@@ -4429,7 +4429,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the estimate contradicts the readings: pitch %1° measured, %2° on its ground; front flippers %3° measured, %4° on its ground</source>
-        <translation>odhad odporuje údajům: náklon naměřen %1°, na jeho terénu %2°; přední flippery naměřeny %3°, na jeho terénu %4°</translation>
+        <translation>odhad odporuje údajům: sklon naměřen %1°, na jeho terénu %2°; přední flippery naměřeny %3°, na jeho terénu %4°</translation>
     </message>
     <message>
         <source>no force was measured: the bands are wider</source>
@@ -4457,7 +4457,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the processes use pitch and flipper angles alone</source>
-        <translation>procesy používají jen náklon a úhly flipperů</translation>
+        <translation>procesy používají jen sklon a úhly flipperů</translation>
     </message>
     <message>
         <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
@@ -4949,7 +4949,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>%1: a replay takes no commands</source>
-        <translation>%1: přehrávání nepřijímá příkazy</translation>
+        <translation>%1: přehrávání nepřijímá povely</translation>
     </message>
     <message>
         <source>is no regular file, which would be waited for: copy it to one</source>
@@ -5089,7 +5089,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
-        <translation>%1 scén opakuje jiné místo v mezích šumu snímačů; trénování počítá každé místo jednou (jízdy %2)</translation>
+        <translation>%1 scén opakuje totéž místo v mezích šumu snímačů; trénink počítá každé místo jednou (jízdy %2)</translation>
     </message>
     <message>
         <source>unlike the training scenes: %1 times the distance that 1 % of them exceed</source>
@@ -5105,7 +5105,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>bin %1 m with no robot above it was seen in %2 training scenes, and %3 are needed</source>
-        <translation>bod %1 m bez robotu nad ním byl v %2 trénovacích scénách a potřeba je %3</translation>
+        <translation>bod %1 m bez robota nad ním byl v %2 trénovacích scénách a potřeba je %3</translation>
     </message>
     <message>
         <source>the frame was cut short</source>
@@ -5229,7 +5229,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>%1   (as on the robot&apos;s bus)</source>
-        <translation>%1   (jako na sběrnici robotu)</translation>
+        <translation>%1   (jako na sběrnici robota)</translation>
     </message>
     <message>
         <source>bit rate %1 bit/s</source>
@@ -5309,11 +5309,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>recording was switched off</source>
-        <translation>nahrávání bylo vypnuto</translation>
+        <translation>zaznamenávání bylo vypnuto</translation>
     </message>
     <message>
         <source>%1: the disk is full: only %2 MB are free, %3 MB are kept free; recording continues when there is space</source>
-        <translation>%1: disk je plný: volných je jen %2 MB, %3 MB se nechává volných; nahrává se dál, až bude místo</translation>
+        <translation>%1: disk je plný: volných je jen %2 MB, %3 MB se nechává volných; záznam pokračuje, jakmile bude místo</translation>
     </message>
     <message>
         <source>the file is large enough</source>
@@ -5373,7 +5373,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the two sides of a scene have other readings</source>
-        <translation>obě strany jedné scény mají různá čtení</translation>
+        <translation>obě strany jedné scény mají různá měření</translation>
     </message>
     <message>
         <source>its rows of two tracks have the wrong size</source>
@@ -5421,7 +5421,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the estimate contradicts the readings: pitch %1°, roll %2°, front flippers %3° left, %4° right measured; %5°, %6°, %7°, %8° on its ground</source>
-        <translation>odhad odporuje údajům: naměřen náklon %1°, příčný náklon %2°, přední flippery vlevo %3°, vpravo %4°; na jeho terénu %5°, %6°, %7°, %8°</translation>
+        <translation>odhad odporuje údajům: naměřen sklon %1°, náklon %2°, přední flippery vlevo %3°, vpravo %4°; na jeho terénu %5°, %6°, %7°, %8°</translation>
     </message>
     <message>
         <source>from a recording by the mapping %1</source>
@@ -5457,15 +5457,15 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the control was let go</source>
-        <translation>ovladač byl puštěn</translation>
+        <translation>prvek byl puštěn</translation>
     </message>
     <message>
         <source>the operator ended it</source>
-        <translation>ukončila obsluha</translation>
+        <translation>ukončil operátor</translation>
     </message>
     <message>
         <source>STOP was pressed</source>
-        <translation>bylo stisknuto STOP</translation>
+        <translation>byl stisknut STOP</translation>
     </message>
     <message>
         <source>a fault</source>
@@ -5481,11 +5481,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>there is no verdict</source>
-        <translation>není žádný závěr</translation>
+        <translation>není žádný verdikt</translation>
     </message>
     <message>
         <source>a sensor is suspected</source>
-        <translation>některý senzor je podezřelý</translation>
+        <translation>některý snímač je podezřelý</translation>
     </message>
     <message>
         <source>the readings contradict the estimate</source>
@@ -5493,7 +5493,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the verdict is withheld</source>
-        <translation>závěr je zadržen</translation>
+        <translation>verdikt je zadržen</translation>
     </message>
     <message>
         <source>BLOCKED: there is a step ahead</source>
@@ -5589,7 +5589,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>its seed is not a number</source>
-        <translation>jeho počáteční hodnota není číslo</translation>
+        <translation>jeho semínko není číslo</translation>
     </message>
     <message>
         <source>it holds no network</source>
@@ -5677,7 +5677,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>payload</source>
-        <translation>užitečná zátěž</translation>
+        <translation>náklad</translation>
     </message>
     <message>
         <source>pitch</source>
@@ -5805,7 +5805,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>an unknown height is of a bin that does not exist</source>
-        <translation>neznámá výška patří binu, který neexistuje</translation>
+        <translation>neznámá výška patří bodu, který neexistuje</translation>
     </message>
     <message>
         <source>it has a number for a height that is unknown</source>
@@ -5813,11 +5813,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a scanned row has an unknown height</source>
-        <translation>naskenovaný řádek má neznámou výšku</translation>
+        <translation>skenovaný řádek má neznámou výšku</translation>
     </message>
     <message>
         <source>%1 scenes have unknown heights: the surfaces learn their known bins, the conditionals leave them out</source>
-        <translation>%1 scén má neznámé výšky: plochy se učí z jejich známých binů, podmíněné modely je vynechávají</translation>
+        <translation>%1 scén má neznámé výšky: povrchy se učí z jejich známých bodů, podmíněná rozdělení je vynechávají</translation>
     </message>
     <message>
         <source>%1 scenes of two tracks left out: a reading or all heights are unknown, or there are more than %2</source>
@@ -5825,7 +5825,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>%1 scenes of two tracks have unknown heights: their known bins are learnt</source>
-        <translation>%1 scén dvou pásů má neznámé výšky: učí se jejich známé biny</translation>
+        <translation>%1 scén dvou pásů má neznámé výšky: učí se jejich známé body</translation>
     </message>
     <message>
         <source>%1 is %2, expected %3 to %4</source>
@@ -6045,7 +6045,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>a row is more than 36 years from the session&apos;s begin, which no reader accepts: split the recording, or correct its clock</source>
-        <translation>řádek je od začátku relace vzdálen více než 36 let, což žádná čtečka nepřijme: rozdělte nahrávku, nebo opravte její hodiny</translation>
+        <translation>řádek je od začátku relace vzdálen více než 36 let, což žádná čtečka nepřijme: rozdělte záznam, nebo opravte jeho hodiny</translation>
     </message>
     <message>
         <source>it has the name of a session&apos;s journal: name another file</source>
@@ -6089,7 +6089,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>the track differential has turned, left and right ground differ</source>
-        <translation>diferenciál pásů je pootočen, levá a pravá zem se liší</translation>
+        <translation>diferenciál pásů je pootočen, terén vlevo a vpravo se liší</translation>
     </message>
     <message>
         <source>the odometry or the pitch is suspected</source>
@@ -6204,7 +6204,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>override</source>
-        <translation>přes pochybnost</translation>
+        <translation>přebití</translation>
     </message>
     <message>
         <source>refuse</source>
@@ -6446,7 +6446,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>Acknowledges the selected alarm</source>
-        <translation>Vybraný alarm byl viděn</translation>
+        <translation>Potvrdí vybraný alarm</translation>
     </message>
     <message>
         <source>Acknowledge all</source>
@@ -6454,7 +6454,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>Acknowledges all alarms</source>
-        <translation>Všechny alarmy byly viděny</translation>
+        <translation>Potvrdí všechny alarmy</translation>
     </message>
     <message>
         <source>Mute 60 s</source>
@@ -6502,7 +6502,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>Plays the alarm sound once</source>
-        <translation>Zazní jednou, jako poplach</translation>
+        <translation>Zazní jednou, jako alarm</translation>
     </message>
     <message>
         <source>✘ Only the desktop&apos;s bell can sound: %1</source>
@@ -6649,7 +6649,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Doubtful, override it first (O):</source>
-        <translation>Pochybné, nejdřív přebijte (O):</translation>
+        <translation>Sporné, nejdřív přebijte (O):</translation>
     </message>
     <message>
         <source>exploring</source>
@@ -6767,11 +6767,11 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>This console may send commands on that bus</source>
-        <translation>Tato konzola smí na sběrnici posílat povely</translation>
+        <translation>Tato konzole smí na sběrnici posílat povely</translation>
     </message>
     <message>
         <source>Without it, the console only listens; like --transmit at the start</source>
-        <translation>Bez toho konzola jen poslouchá; jako --transmit při startu</translation>
+        <translation>Bez toho konzole jen poslouchá; jako --transmit při startu</translation>
     </message>
     <message>
         <source>Why it is not connected</source>
@@ -6779,11 +6779,11 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation>Podívat se znovu</translation>
+        <translation>Hledat znovu</translation>
     </message>
     <message>
         <source>Looks at the CAN interfaces of this computer again</source>
-        <translation>Podívá se znovu na rozhraní CAN tohoto počítače</translation>
+        <translation>Znovu prohledá rozhraní CAN tohoto počítače</translation>
     </message>
     <message>
         <source>Simulated robot in this program</source>
@@ -6799,15 +6799,15 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Session to review, in another window</source>
-        <translation>Relace k prohlédnutí, v jiném okně</translation>
+        <translation>Relace k prohlížení, v jiném okně</translation>
     </message>
     <message>
         <source>This interface cannot be used: repair it first, then look again</source>
-        <translation>Toto rozhraní nelze použít: nejdřív je opravte, pak se podívejte znovu</translation>
+        <translation>Toto rozhraní nelze použít: nejdřív je opravte, pak hledejte znovu</translation>
     </message>
     <message>
         <source>✔ Needs no hardware. Its ground is the one that the console was started with</source>
-        <translation>✔ Nepotřebuje hardware. Jeho terén je ten, se kterým konzola začala</translation>
+        <translation>✔ Nepotřebuje hardware. Jeho terén je ten, se kterým konzole začala</translation>
     </message>
     <message>
         <source>Logs of candump, Vector (.asc), PEAK (.trc), GVRET and python-can, also packed by gzip</source>
@@ -6819,7 +6819,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Recordings of this console (.tts), in %1</source>
-        <translation>Záznamy této konzoly (.tts), v %1</translation>
+        <translation>Záznamy této konzole (.tts), v %1</translation>
     </message>
     <message>
         <source>Choose a session …</source>
@@ -6827,11 +6827,11 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>Restarts the console with it (Return)</source>
-        <translation>Restartuje s tím konzolu (Return)</translation>
+        <translation>Restartuje s tím konzoli (Return)</translation>
     </message>
     <message>
         <source>Session to review</source>
-        <translation>Relace k prohlédnutí</translation>
+        <translation>Relace k prohlížení</translation>
     </message>
     <message>
         <source>Log to replay</source>
@@ -6843,7 +6843,7 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>%1 is no session; choose a recording of this console, or replay it as a log</source>
-        <translation>%1 není relace; zvolte záznam této konzoly, nebo jej přehrajte jako záznam sběrnice</translation>
+        <translation>%1 není relace; zvolte záznam této konzole, nebo jej přehrajte jako záznam sběrnice</translation>
     </message>
     <message>
         <source>%1 is a session; choose it as a session</source>
@@ -6914,15 +6914,15 @@ Poslední deaktivace: %1</translation>
     </message>
     <message>
         <source>pitch %1, tips over at %2</source>
-        <translation>podélný náklon %1, překlopí se při %2</translation>
+        <translation>podélný sklon %1, převrátí se při %2</translation>
     </message>
     <message>
         <source>roll %1, tips over at %2</source>
-        <translation>příčný náklon %1, překlopí se při %2</translation>
+        <translation>náklon %1, převrátí se při %2</translation>
     </message>
     <message>
         <source>Danger of tipping over: %1</source>
-        <translation>Hrozí překlopení: %1</translation>
+        <translation>Hrozí převrácení: %1</translation>
     </message>
     <message>
         <source>Steep: %1</source>
@@ -7300,7 +7300,7 @@ F1</translation>
     </message>
     <message>
         <source>Dead-man key: while held, the robot presses, estimates and advances, as long as the verdict is CLEAR</source>
-        <translation>Dokud držíte, robot tlačí, odhaduje a postupuje, pokud je závěr VOLNO</translation>
+        <translation>Dokud držíte, robot tlačí, odhaduje a postupuje, pokud je verdikt VOLNO</translation>
     </message>
     <message>
         <source>hold: feel (F)</source>
@@ -7371,7 +7371,7 @@ F1</translation>
     </message>
     <message>
         <source>Along the tracks, over the last 0.3 s</source>
-        <translation>Podél pásů, za posledních 0,3 s</translation>
+        <translation>Podél pásů, za posledních 0.3 s</translation>
     </message>
     <message>
         <source>The ground is felt up to here, forward from the IMU, on both sides. &quot;!&quot;: the tracks are about to leave felt ground. &quot;none&quot;: nothing ahead is felt</source>
@@ -7671,7 +7671,7 @@ F1</translation>
     </message>
     <message>
         <source>No probe was offered with this estimate: explore again</source>
-        <translation>Nenabídnuto, když odhad přišel: k dotazu prozkoumejte znovu</translation>
+        <translation>S tímto odhadem se sonda nenabídla: prozkoumejte znovu</translation>
     </message>
     <message>
         <source>No estimate yet: no telemetry from the robot</source>
@@ -7739,7 +7739,7 @@ F1</translation>
     </message>
     <message>
         <source>feeling forward while the control is held</source>
-        <translation>ohmatává vpřed, dokud je ovladač držen</translation>
+        <translation>ohmatává vpřed, dokud je prvek držen</translation>
     </message>
     <message>
         <source>feel forward has ended after %1 m, %2 m/min: %3</source>
@@ -7824,7 +7824,7 @@ F1</translation>
     <name>terratact::GamepadControl</name>
     <message>
         <source>gamepad lost: all its controls are released</source>
-        <translation>gamepad ztracen: všechny jeho ovladače jsou uvolněny</translation>
+        <translation>gamepad ztracen: všechny jeho prvky jsou uvolněny</translation>
     </message>
     <message>
         <source>STOP pressed on the gamepad</source>
@@ -7915,7 +7915,7 @@ F1</translation>
     </message>
     <message>
         <source>The command gate accepts at most 0.6 m/s</source>
-        <translation>Brána příkazů přijme nejvýše 0.6 m/s</translation>
+        <translation>Brána povelů přijme nejvýše 0.6 m/s</translation>
     </message>
     <message>
         <source>Gamepad back to the defaults</source>
@@ -8085,7 +8085,7 @@ F1</translation>
     </message>
     <message>
         <source>The estimate of %1 lies over the present one, in the robot&apos;s frame of that time.</source>
-        <translation>Odhad z %1 leží přes současný, v souřadnicích robotu z té doby.</translation>
+        <translation>Odhad z %1 leží přes současný, v souřadnicích robota z té doby.</translation>
     </message>
     <message>
         <source>The picture shows the present. Choose an estimate to see it; the verdict stays that of the present.</source>
@@ -8120,7 +8120,7 @@ F1</translation>
     </message>
     <message>
         <source>Mapping: which topic and field is which sensor</source>
-        <translation>Přiřazení: které téma a pole je který senzor</translation>
+        <translation>Přiřazení: které téma a pole je který snímač</translation>
     </message>
     <message>
         <source>What is missing or doubtful</source>
@@ -8350,7 +8350,7 @@ F1</translation>
     </message>
     <message>
         <source>raise the step limit</source>
-        <translation>zvýšit mez překážky</translation>
+        <translation>zvýšit mez schodu</translation>
     </message>
     <message>
         <source>lower it</source>
@@ -8366,7 +8366,7 @@ F1</translation>
     </message>
     <message>
         <source>Active alarms, and past alarms not yet acknowledged</source>
-        <translation>Co je špatně a co bylo a nikdo neviděl</translation>
+        <translation>Trvající alarmy a minulé nepotvrzené</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -8410,7 +8410,7 @@ F1</translation>
     </message>
     <message>
         <source>The robot is armed: disarm it first (M)</source>
-        <translation>Robot je aktivní: nejdřív deaktivovat (M)</translation>
+        <translation>Robot je aktivní: deaktivujte ho (M)</translation>
     </message>
     <message>
         <source>explore in spite of a doubtful requirement (override)</source>
@@ -8442,7 +8442,7 @@ F1</translation>
     </message>
     <message>
         <source>restarts the console</source>
-        <translation>otevře konzoli znovu</translation>
+        <translation>restartuje konzoli</translation>
     </message>
     <message>
         <source>not marked: nothing is recorded</source>
@@ -8470,7 +8470,7 @@ F1</translation>
     </message>
     <message>
         <source>THE ROBOT IS ARMED: close the window again within %1 s to halt and disarm it; or disarm it first (M)</source>
-        <translation>ROBOT JE AKTIVNÍ: zavřít okno znovu do %1 s, pak se zastaví a deaktivuje; nebo nejdřív deaktivovat (M)</translation>
+        <translation>ROBOT JE AKTIVNÍ: zavřete okno znovu do %1 s, pak se zastaví a deaktivuje; nebo ho nejdřív deaktivujte (M)</translation>
     </message>
     <message>
         <source>not driven: %1</source>
@@ -8494,7 +8494,7 @@ F1</translation>
     </message>
     <message>
         <source>restore the hidden estimate</source>
-        <translation>vrátit zapomenutý odhad</translation>
+        <translation>vrátit skrytý odhad</translation>
     </message>
     <message>
         <source>this window froze for %1 ms: no command could leave</source>
@@ -8582,7 +8582,7 @@ F1</translation>
     </message>
     <message>
         <source>snapshot %1, beside the session</source>
-        <translation>snímek %1, vedle záznamu</translation>
+        <translation>snímek %1, vedle relace</translation>
     </message>
     <message>
         <source>no session records; the snapshot is in %1</source>
@@ -8648,7 +8648,7 @@ F1</translation>
     </message>
     <message>
         <source>last telemetry %1 ago</source>
-        <translation>naposledy slyšen před %1</translation>
+        <translation>telemetrie stará %1</translation>
     </message>
     <message>
         <source>copy the numbers, on their page</source>
@@ -8828,11 +8828,11 @@ F1</translation>
     <name>terratact::PictureTools</name>
     <message>
         <source>Terrain picture</source>
-        <translation>Obrázek terénu</translation>
+        <translation>Obraz terénu</translation>
     </message>
     <message>
         <source>Copy the picture</source>
-        <translation>Kopírovat obrázek</translation>
+        <translation>Kopírovat obraz</translation>
     </message>
     <message>
         <source>Copy the numbers</source>
@@ -8864,15 +8864,15 @@ F1</translation>
     </message>
     <message>
         <source>menu of the picture: copy, export, measure, zoom</source>
-        <translation>nabídka obrázku: kopírovat, export, měřit, přiblížit</translation>
+        <translation>nabídka obrazu: kopírovat, export, měřit, přiblížit</translation>
     </message>
     <message>
         <source>in the picture (Tab): closer, farther away, the whole robot</source>
-        <translation>v obrázku (Tab): blíž, dál, celý robot</translation>
+        <translation>v obraze (Tab): blíž, dál, celý robot</translation>
     </message>
     <message>
         <source>Export the picture</source>
-        <translation>Export obrázku</translation>
+        <translation>Export obrazu</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg *.pdf)</source>
@@ -9096,7 +9096,7 @@ F1</translation>
     </message>
     <message>
         <source>the session is read: %1 %</source>
-        <translation>záznam se čte: %1 %</translation>
+        <translation>relace se čte: %1 %</translation>
     </message>
     <message>
         <source>Enter a name for the set first</source>
@@ -9206,7 +9206,7 @@ F1</translation>
     </message>
     <message>
         <source>Refuses the probe; the estimate stays as it is</source>
-        <translation>Odmítne rameno; odpověď stejně dobrá jako jiná</translation>
+        <translation>Odmítne sondu; odhad zůstane, jak je</translation>
     </message>
     <message>
         <source>step &gt; %1</source>
@@ -9278,7 +9278,7 @@ F1</translation>
     </message>
     <message>
         <source>Already %1; a probe only refines the profile.</source>
-        <translation>%1 platí: získal by jen tvar.</translation>
+        <translation>%1 platí: zpřesní jen profil.</translation>
     </message>
     <message>
         <source>%1 → %2 bit: %3/min</source>
@@ -9648,7 +9648,7 @@ F1</translation>
     </message>
     <message>
         <source>Active alarms</source>
-        <translation>Trvající poplachy</translation>
+        <translation>Trvající alarmy</translation>
     </message>
     <message>
         <source>Kind of the events</source>
@@ -9668,11 +9668,11 @@ F1</translation>
     </message>
     <message>
         <source>No alarm was active at this time.</source>
-        <translation>V tomto čase netrval žádný poplach.</translation>
+        <translation>V tomto čase netrval žádný alarm.</translation>
     </message>
     <message>
         <source>Alarms at this time: %1</source>
-        <translation>Poplachy v tomto čase: %1</translation>
+        <translation>Alarmy v tomto čase: %1</translation>
     </message>
 </context>
 <context>
@@ -9835,7 +9835,7 @@ F1</translation>
     </message>
     <message>
         <source>The whole session</source>
-        <translation>Vše, co záznam obsahuje</translation>
+        <translation>Celá relace</translation>
     </message>
     <message>
         <source>Nothing is being written</source>
@@ -9867,7 +9867,7 @@ F1</translation>
     </message>
     <message>
         <source>the whole session, %1</source>
-        <translation>celý záznam, %1</translation>
+        <translation>celá relace, %1</translation>
     </message>
 </context>
 <context>
@@ -10147,11 +10147,11 @@ F1</translation>
     <name>terratact::ReviewWindow</name>
     <message>
         <source>REVIEW — %1 — Terratact</source>
-        <translation>PŘEHRÁVÁNÍ — %1 — Terratact</translation>
+        <translation>PROHLÍŽENÍ — %1 — Terratact</translation>
     </message>
     <message>
         <source>REVIEW · %1</source>
-        <translation>PŘEHRÁVÁNÍ · %1</translation>
+        <translation>PROHLÍŽENÍ · %1</translation>
     </message>
     <message>
         <source>Terrain</source>
@@ -10159,7 +10159,7 @@ F1</translation>
     </message>
     <message>
         <source>What the operator saw at this time</source>
-        <translation>Co obsluha v tomto čase viděla</translation>
+        <translation>Co operátor v tomto čase viděl</translation>
     </message>
     <message>
         <source>No estimate at this time</source>
@@ -10303,7 +10303,7 @@ F1</translation>
     </message>
     <message>
         <source>What other devices had sent: gas sensors, batteries</source>
-        <translation>Co poslala jiná zařízení: senzory plynů, baterie</translation>
+        <translation>Co poslala jiná zařízení: snímače plynů, baterie</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -10311,7 +10311,7 @@ F1</translation>
     </message>
     <message>
         <source>Any signal over the session</source>
-        <translation>Libovolný signál přes celý záznam</translation>
+        <translation>Libovolný signál přes celou relaci</translation>
     </message>
 </context>
 <context>
@@ -10358,7 +10358,7 @@ F1</translation>
     </message>
     <message>
         <source>; beside it the value of the captured scene, at which the robot is drawn</source>
-        <translation>; vedle je náklon zachycené scény: robot je nakreslen, jak tehdy stál</translation>
+        <translation>; vedle je hodnota zachycené scény: robot je nakreslen, jak tehdy stál</translation>
     </message>
     <message>
         <source>%1 DANGER</source>
@@ -10389,7 +10389,7 @@ F1</translation>
     </message>
     <message>
         <source>roll</source>
-        <translation>příčný sklon</translation>
+        <translation>náklon</translation>
     </message>
     <message>
         <source>truth</source>
@@ -10549,7 +10549,7 @@ F1</translation>
     </message>
     <message>
         <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · %6</source>
-        <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto teď, ne nahráno · %6</translation>
+        <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto teď, bez záznamu · %6</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -10628,7 +10628,7 @@ F1</translation>
     </message>
     <message>
         <source>Reviews the chosen recording in another window (Enter)</source>
-        <translation>Otevře vybraný záznam k prohlídce v jiném okně (Enter)</translation>
+        <translation>Otevře vybraný záznam k prohlížení v jiném okně (Enter)</translation>
     </message>
     <message>
         <source>reading: %1 of %2 recordings</source>
@@ -10667,7 +10667,7 @@ F1</translation>
     <name>terratact::SessionDetails</name>
     <message>
         <source>This console is recording it. It can be reviewed meanwhile.</source>
-        <translation>Tato konzole ho právě nahrává. Prohlížet ho lze už teď.</translation>
+        <translation>Tato konzole ho právě zaznamenává. Prohlížet ho lze už teď.</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 frames, %4 scenes, %5 estimates</source>
@@ -10679,11 +10679,11 @@ F1</translation>
     </message>
     <message>
         <source>probes: %1 approved of %2 proposed; alarms raised: %3</source>
-        <translation>sondy: schváleno %1 z %2 navržených; poplachů: %3</translation>
+        <translation>sondy: schváleno %1 z %2 navržených; alarmů: %3</translation>
     </message>
     <message>
         <source>It is still being recorded, or its program died.</source>
-        <translation>Ještě se nahrává, nebo jeho program skončil předčasně.</translation>
+        <translation>Ještě se zaznamenává, nebo jeho program skončil předčasně.</translation>
     </message>
     <message>
         <source>Its journal is missing or damaged: the end is not in the file.</source>
@@ -10765,7 +10765,7 @@ F1</translation>
     </message>
     <message>
         <source>● being recorded</source>
-        <translation>● nahrává se</translation>
+        <translation>● zaznamenává se</translation>
     </message>
     <message>
         <source>✕ cannot be read</source>
@@ -10825,7 +10825,7 @@ F1</translation>
     </message>
     <message>
         <source>alarms</source>
-        <translation>poplachy</translation>
+        <translation>alarmy</translation>
     </message>
     <message>
         <source>size</source>
@@ -11097,7 +11097,7 @@ F1</translation>
     </message>
     <message>
         <source>Step height that the verdict asks about (PgUp, PgDown)</source>
-        <translation>Otázka verdiktu (PgUp, PgDown)</translation>
+        <translation>Výška schodu v otázce verdiktu (PgUp, PgDown)</translation>
     </message>
     <message>
         <source>An element counts as contact above</source>
@@ -11273,7 +11273,7 @@ F1</translation>
     </message>
     <message>
         <source>Restarts the console</source>
-        <translation>Otevře konzoli znovu</translation>
+        <translation>Restartuje konzoli</translation>
     </message>
     <message>
         <source>An estimate may take at most</source>
@@ -11293,7 +11293,7 @@ F1</translation>
     </message>
     <message>
         <source>Measured by terratact tradeoff: time, mean error, and in brackets the distance of the quantiles from a long run&apos;s</source>
-        <translation>Jak je změřil terratact tradeoff: čas, střední chyba a v závorkách, jak daleko jsou kvantily od dlouhého běhu</translation>
+        <translation>Jak je změřil terratact tradeoff: čas, průměrná chyba a v závorkách, jak daleko jsou kvantily od dlouhého běhu</translation>
     </message>
     <message>
         <source>Back to the shipped file</source>
@@ -11313,23 +11313,23 @@ F1</translation>
     </message>
     <message>
         <source>there, unless the verdict is decided</source>
-        <translation>tam, pokud výrok není rozhodnut</translation>
+        <translation>tam, pokud verdikt není rozhodnut</translation>
     </message>
     <message>
         <source>where it helps the verdict</source>
-        <translation>kde pomůže výroku</translation>
+        <translation>kde pomůže verdiktu</translation>
     </message>
     <message>
         <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of the step question, and only while it is open</source>
-        <translation>Nejistý: podle rozptylu, jako v článku. Výrok: podle entropie jeho otázky, ať je sd jakákoli, a jen dokud je otevřená</translation>
+        <translation>Nejistý: podle rozptylu, jako v článku. Verdikt: podle entropie otázky na schod, jen dokud je otevřená</translation>
     </message>
     <message>
         <source>Applies ten seconds after the change. Never: nothing is deleted</source>
-        <translation>Jakmile hodnota platí deset sekund; nikdy: nic se nemaže</translation>
+        <translation>Platí deset sekund po změně; nikdy: nic se nemaže</translation>
     </message>
     <message>
         <source>For all closed sessions together; applies ten seconds after the change</source>
-        <translation>Všech uzavřených relací dohromady, jakmile to platí deset sekund</translation>
+        <translation>Pro všechny uzavřené relace dohromady; platí deset sekund po změně</translation>
     </message>
     <message>
         <source>Sessions beyond these limits may be deleted</source>
@@ -11397,11 +11397,11 @@ F1</translation>
     </message>
     <message>
         <source>Amber alarm; at the latest %1 before the robot tips over</source>
-        <translation>Žlutý poplach; v každém případě %1 před překlopením</translation>
+        <translation>Žlutý alarm; v každém případě %1 před převrácením</translation>
     </message>
     <message>
         <source>Red alarm with sound; at the latest %1 before the robot tips over</source>
-        <translation>Červený poplach se zvukem; v každém případě %1 před překlopením</translation>
+        <translation>Červený alarm se zvukem; v každém případě %1 před převrácením</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -11545,7 +11545,7 @@ F1</translation>
     </message>
     <message>
         <source>Reset min and max</source>
-        <translation>Zapomenout minima a maxima</translation>
+        <translation>Vynulovat minima a maxima</translation>
     </message>
     <message>
         <source>Newest frames</source>
@@ -11585,7 +11585,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>Adds a DBC file that describes frames of other devices</source>
-        <translation>Soubor, který říká, co znamenají rámce, jež nejsou od robotu</translation>
+        <translation>Přidá soubor DBC, který popisuje rámce jiných zařízení</translation>
     </message>
     <message>
         <source>Remove DBC file</source>
@@ -11694,7 +11694,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>Active alarms, and past alarms not yet acknowledged (F4)</source>
-        <translation>Co je špatně a co bylo a nikdo neviděl (F4)</translation>
+        <translation>Trvající alarmy a minulé nepotvrzené (F4)</translation>
     </message>
     <message>
         <source>no alarms</source>
@@ -11769,7 +11769,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <name>terratact::StripExport</name>
     <message>
         <source>no strip to export: nothing was estimated yet, or the robot reports no odometry</source>
-        <translation>není co exportovat: zatím nic nebylo odhadnuto, nebo robot nehlásí ujetou dráhu</translation>
+        <translation>není co exportovat: zatím nic nebylo odhadnuto, nebo robot nehlásí odometrii</translation>
     </message>
     <message>
         <source>Export the strip of felt ground</source>
@@ -12035,7 +12035,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>no part of the robot above it</source>
-        <translation>nad ním nic z robotu</translation>
+        <translation>nad ním nic z robota</translation>
     </message>
     <message>
         <source>either %1 (%2 %)</source>
@@ -12051,7 +12051,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>not live: no telemetry from the robot</source>
-        <translation>neaktuální: o robotu není nic slyšet</translation>
+        <translation>neaktuální: žádná telemetrie z robota</translation>
     </message>
     <message>
         <source>arm tip: probe?</source>
@@ -12079,7 +12079,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>touch: %1</source>
-        <translation>ohmatáno: %1</translation>
+        <translation>dotyk: %1</translation>
     </message>
     <message>
         <source>bin %1: %2</source>
@@ -12303,13 +12303,13 @@ vpředu</translation>
     <message>
         <source>clearance
 below robot</source>
-        <translation>mezera
+        <translation>světlost
 pod tělem</translation>
     </message>
     <message>
         <source>clearance
 ahead</source>
-        <translation>mezera
+        <translation>světlost
 vpředu</translation>
     </message>
     <message>
@@ -12338,7 +12338,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Clearance given the other bins, where the robot is above the bin; log likelihood</source>
-        <translation>Mezera podle ostatních bodů, kde je robot nad bodem; log-věrohodnost</translation>
+        <translation>Světlost podle ostatních bodů, kde je robot nad bodem; log-věrohodnost</translation>
     </message>
     <message>
         <source>The same elsewhere</source>
@@ -12530,7 +12530,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Choose a file of scenes to test on.</source>
-        <translation>Vyberte soubor scén k ověření.</translation>
+        <translation>Vyberte soubor scén ke zkoušce.</translation>
     </message>
     <message>
         <source>No training or comparison is running.</source>
@@ -12550,11 +12550,11 @@ vpředu</translation>
     </message>
     <message>
         <source>%1: the number is the log-likelihood</source>
-        <translation>%1: číslo je logaritmická věrohodnost</translation>
+        <translation>%1: číslo je log-věrohodnost</translation>
     </message>
     <message>
         <source>Idle · done (log-likelihood %1)</source>
-        <translation>Nečinné · hotovo (log. věrohodnost %1)</translation>
+        <translation>Nečinné · hotovo (log-věrohodnost %1)</translation>
     </message>
 </context>
 <context>
@@ -12653,7 +12653,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Tilt by 0.005 rad: higher ahead (F)</source>
-        <translation>Naklonit o 0,005 rad: vpředu výš (F)</translation>
+        <translation>Naklonit o 0.005 rad: vpředu výš (F)</translation>
     </message>
     <message>
         <source>front down</source>
@@ -12661,7 +12661,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Tilt by 0.005 rad: lower ahead (G)</source>
-        <translation>Naklonit o 0,005 rad: vpředu níž (G)</translation>
+        <translation>Naklonit o 0.005 rad: vpředu níž (G)</translation>
     </message>
     <message>
         <source>no nudge</source>
@@ -13009,7 +13009,7 @@ vpředu</translation>
     </message>
     <message>
         <source>unlike all training</source>
-        <translation>nepodobá se trénování</translation>
+        <translation>nepodobá se tréninku</translation>
     </message>
     <message>
         <source>the robot rolls</source>
@@ -13187,7 +13187,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Recorded estimate and what-if, bin by bin</source>
-        <translation>Zaznamenaný odhad a ten druhý, po dílcích</translation>
+        <translation>Zaznamenaný odhad a co kdyby, bod po bodu</translation>
     </message>
     <message>
         <source>bin [%1]</source>
@@ -13247,7 +13247,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Force above which an element counts as contact</source>
-        <translation>Síla, od které se prvek dotýká země</translation>
+        <translation>Síla, nad kterou prvek platí za kontakt</translation>
     </message>
     <message>
         <source>Contact above</source>
@@ -13259,7 +13259,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Seed of the random numbers: a whole number</source>
-        <translation>Náhodných čísel: celé číslo</translation>
+        <translation>Semínko náhodných čísel: celé číslo</translation>
     </message>
     <message>
         <source>Model</source>
@@ -13323,15 +13323,15 @@ vpředu</translation>
     </message>
     <message>
         <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 at most, at bin %2.</source>
-        <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1, v dílci %2.</translation>
+        <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1, v bodu %2.</translation>
     </message>
     <message>
         <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 at most, at bin %2.</source>
-        <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1, v dílci %2.</translation>
+        <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1, v bodu %2.</translation>
     </message>
     <message>
         <source>Differs from the recorded estimate by %1 at most, at bin %2.</source>
-        <translation>Liší se od zobrazeného nejvýše o %1, v dílci %2.</translation>
+        <translation>Liší se od zaznamenaného odhadu nejvýše o %1, v bodu %2.</translation>
     </message>
     <message>
         <source>Estimate again (E)</source>
@@ -13359,7 +13359,7 @@ vpředu</translation>
     </message>
     <message>
         <source>Steps of more than %1: %2 then, %3 now.</source>
-        <translation>Stupně přes %1: tehdy %2, nyní %3.</translation>
+        <translation>Schody nad %1: tehdy %2, nyní %3.</translation>
     </message>
     <message>
         <source>Left: %1 then, %2 now.</source>

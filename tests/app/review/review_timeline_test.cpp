@@ -68,8 +68,8 @@ TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
             const QStringList left = translated.split(kBetween, Qt::SkipEmptyParts);
             for (const QString& word : english[i].split(kBetween, Qt::SkipEmptyParts))
                 EXPECT_TRUE(!left.contains(word)
-                            || QStringList({"STOP", "CAN", "disk", "program", "robot", "s", "tmp",
-                                            "seen", "tts", "bus"})
+                            || QStringList({"STOP", "CAN", "alarm", "disk", "program", "robot", "s",
+                                            "tmp", "seen", "tts", "bus"})
                                    .contains(word))
                     << language << ": " << word.toStdString() << " in " << translated.toStdString();
         }
