@@ -32,21 +32,25 @@ Message commandName(double id)
     return Message::verbatim(kind ? std::string(layoutOf(*kind).name) : number(id, 1.0));
 }
 
+/// Returns true for a flag that says nothing: the frame was measured, or a value is not missing.
+bool isIdleFlag(std::string_view name, double value)
+{
+    return name == "Measured" ? value != 0.0 : name.ends_with("Missing") && value == 0.0;
+}
+
 /// Returns the values of a frame; a sensor line without measurements has only that statement.
 std::vector<NamedValue> valuesOf(const Unpacked& content)
 {
     std::vector<NamedValue> values;
     const auto signals = layoutOf(content.kind).payload;
+    const auto measured = measuredSignals(content);
     for (std::size_t i = 0; i < signals.size(); ++i) {
+        if (!measured[i] || isIdleFlag(signals[i].name, content.values[i])) continue;
         const Message word = wordOf(signals[i], content.values[i]);
-        NamedValue value{.name = std::string(signals[i].name),
-                         .value = word.english(),
-                         .unit = std::string(signals[i].unit),
-                         .shown = word};
-        if (value.name != "Measured")
-            values.push_back(std::move(value));
-        else if (content.values[i] == 0.0)
-            return {std::move(value)};
+        values.push_back({.name = std::string(signals[i].name),
+                          .value = word.english(),
+                          .unit = std::string(signals[i].unit),
+                          .shown = word});
     }
     return values;
 }

@@ -76,10 +76,12 @@ void FrameHistory::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& r
     if (!judged.isSound()) return;
     kept.usedAt = received.time;
     frame.isMeasured = isMeasured(judged);
-    const auto layout = layoutOf(*judged.kind).payload;
-    for (std::size_t i = 0; i < layout.size(); ++i) {
-        if (!frame.isMeasured && layout[i].name != "Measured") continue;
-        frame.payload[i].add(judged.content.values[i]);
+    const auto measured = measuredSignals(judged.content);
+    for (std::size_t i = 0; i < frame.payload.size(); ++i) {
+        if (measured[i])
+            frame.payload[i].add(judged.content.values[i]);
+        else if (frame.isMeasured)
+            frame.payload[i].last.reset();  // this signal alone was not measured
     }
 }
 

@@ -25,14 +25,6 @@ PlotSignal protocolSignal(const FrameLayout& layout, const SignalLayout& signal)
             .frame = shownFrame(layout.id, layout.name)};
 }
 
-/// Returns the place of the signal that states whether a frame was measured; empty: the frame has none.
-std::optional<std::size_t> measuredPlace(const FrameLayout& layout)
-{
-    for (std::size_t i = 0; i < layout.payload.size(); ++i)
-        if (layout.payload[i].name == "Measured") return i;
-    return std::nullopt;
-}
-
 }  // namespace
 
 std::vector<PlotSignal> protocolSignals()
@@ -106,10 +98,9 @@ void FrameSignals::decode(const CanFrame& frame, const JudgedFrame& judged,
     if (judged.kind) {
         const auto kind = static_cast<std::size_t>(*judged.kind);
         if (known_[kind].empty() || !judged.isSound()) return;
-        const auto measured = measuredPlace(frameLayouts()[kind]);
-        const bool isMeasured = !measured || judged.content.values.at(*measured) != 0.0;
+        const auto measured = measuredSignals(judged.content);
         for (const Wanted& wanted : known_[kind])
-            if (isMeasured || wanted.place == measured)
+            if (measured[wanted.place])
                 values.push_back({wanted.signal, judged.content.values.at(wanted.place)});
         return;
     }

@@ -36,21 +36,13 @@ constexpr std::array kTelemetryEntries{
     TelemetryEntry{"rear_right", TR_NOOP("core", "rear flipper right"), kRadians,
                    [](const Measurement& m) { return std::optional(m.rearRight); }},
     TelemetryEntry{"front_current_left", TR_NOOP("core", "front current left"), kAmperes,
-                   [](const Measurement& m) {
-                       return unlessMissing(m, kFrontCurrentFeature, m.frontLeftCurrent);
-                   }},
+                   [](const Measurement& m) { return motorCurrents(m)[0]; }},
     TelemetryEntry{"front_current_right", TR_NOOP("core", "front current right"), kAmperes,
-                   [](const Measurement& m) {
-                       return unlessMissing(m, kFrontCurrentFeature, m.frontRightCurrent);
-                   }},
+                   [](const Measurement& m) { return motorCurrents(m)[1]; }},
     TelemetryEntry{"rear_current_left", TR_NOOP("core", "rear current left"), kAmperes,
-                   [](const Measurement& m) {
-                       return unlessMissing(m, kRearCurrentFeature, m.rearLeftCurrent);
-                   }},
+                   [](const Measurement& m) { return motorCurrents(m)[2]; }},
     TelemetryEntry{"rear_current_right", TR_NOOP("core", "rear current right"), kAmperes,
-                   [](const Measurement& m) {
-                       return unlessMissing(m, kRearCurrentFeature, m.rearRightCurrent);
-                   }}};
+                   [](const Measurement& m) { return motorCurrents(m)[3]; }}};
 
 constexpr std::array kTelemetryTail{
     TelemetryEntry{"travelled", TR_NOOP("core", "way of the tracks"), "m",

@@ -49,12 +49,8 @@ std::int64_t SessionWriter::Impl::settingsId(const Settings& s)
 
 namespace {
 
-/// Returns the stored value. A feature that was not measured is stored as infinity, because its
-/// column is never NULL.
-double storedFeature(const Measurement& m, std::size_t feature, double value)
-{
-    return m.missing[feature] ? std::numeric_limits<double>::infinity() : value;
-}
+/// Stored for a current or force that was not measured, because its column is never NULL.
+constexpr double kNotMeasured = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -62,15 +58,16 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
 {
     const Measurement& m = scene.measurement;
     const auto f = [&m](std::size_t e) {
-        return storedFeature(m, kFirstForceFeature + e, m.force[e]);
+        return m.missing[kFirstForceFeature + e] ? kNotMeasured : m.force[e];
     };
-    const auto front = [&m](double value) { return storedFeature(m, kFrontCurrentFeature, value); };
-    const auto rear = [&m](double value) { return storedFeature(m, kRearCurrentFeature, value); };
+    const MotorCurrents currents = motorCurrents(m);
+    const auto current = [&currents](std::size_t motor) {
+        return currents[motor].value_or(kNotMeasured);
+    };
     const std::string memory = scene.memory ? bytesOfMemory(*scene.memory) : std::string();
     row(sceneTable, scene.id, batch.id, scene.time, m.time, m.pitch, m.roll, m.frontLeft,
-        m.frontRight, m.rearLeft, m.rearRight, front(m.frontLeftCurrent),
-        front(m.frontRightCurrent), rear(m.rearLeftCurrent), rear(m.rearRightCurrent), f(0), f(1),
-        f(2), f(3), f(4), f(5), static_cast<int>(m.activity), static_cast<int>(m.refusal),
+        m.frontRight, m.rearLeft, m.rearRight, current(0), current(1), current(2), current(3), f(0),
+        f(1), f(2), f(3), f(4), f(5), static_cast<int>(m.activity), static_cast<int>(m.refusal),
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
         m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned, m.differential,

@@ -103,7 +103,8 @@ public:
         m.frontRight = *frontRight;
         m.rearLeft = *rearLeft;
         m.rearRight = *rearRight;
-        addCurrents(m, time);
+        setCurrents(m, {at(Quantity::FrontLeftCurrent, time), at(Quantity::FrontRightCurrent, time),
+                        at(Quantity::RearLeftCurrent, time), at(Quantity::RearRightCurrent, time)});
         SideForces front;
         for (std::size_t e = 0; e < kForceElements; ++e) {
             front.left[e] = force(0, e, time);
@@ -127,24 +128,6 @@ private:
     std::optional<double> force(std::size_t side, std::size_t element, std::int64_t time)
     {
         return forces_[side * kForceElements + element].at(time);
-    }
-
-    void addCurrents(Measurement& m, std::int64_t time)
-    {
-        const auto frontLeft = at(Quantity::FrontLeftCurrent, time),
-                   frontRight = at(Quantity::FrontRightCurrent, time),
-                   rearLeft = at(Quantity::RearLeftCurrent, time),
-                   rearRight = at(Quantity::RearRightCurrent, time);
-        m.missing[kFrontCurrentFeature] = !frontLeft || !frontRight;
-        m.missing[kRearCurrentFeature] = !rearLeft || !rearRight;
-        if (frontLeft && frontRight) {
-            m.frontLeftCurrent = *frontLeft;
-            m.frontRightCurrent = *frontRight;
-        }
-        if (rearLeft && rearRight) {
-            m.rearLeftCurrent = *rearLeft;
-            m.rearRightCurrent = *rearRight;
-        }
     }
 
     template <class Enum>

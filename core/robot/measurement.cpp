@@ -1,6 +1,7 @@
 #include "core/robot/measurement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +10,19 @@
 #include "core/base/message.h"
 
 namespace terratact {
+namespace {
+
+/// In the order of MotorCurrents: motor ^ 1 is the other one of its axle.
+constexpr std::array<double Measurement::*, kMotors> kMotorCurrents{
+    &Measurement::frontLeftCurrent, &Measurement::frontRightCurrent, &Measurement::rearLeftCurrent,
+    &Measurement::rearRightCurrent};
+
+constexpr std::size_t axleFeature(std::size_t motor)
+{
+    return motor < 2 ? kFrontCurrentFeature : kRearCurrentFeature;
+}
+
+}  // namespace
 
 SourceText describe(RobotActivity activity)
 {
@@ -40,12 +54,39 @@ SourceText describe(Refusal refusal)
     throw std::invalid_argument("describe: no such Refusal");
 }
 
+std::optional<double> meanOfSides(const std::optional<double>& left,
+                                  const std::optional<double>& right)
+{
+    if (left && right) return (*left + *right) / 2.0;
+    if (left) return *left;
+    if (right) return *right;
+    return std::nullopt;
+}
+
+MotorCurrents motorCurrents(const Measurement& m)
+{
+    MotorCurrents currents;
+    for (std::size_t motor = 0; motor < currents.size(); ++motor)
+        if (!m.missing[axleFeature(motor)] && !m.missingMotors[motor])
+            currents[motor] = m.*kMotorCurrents[motor];
+    return currents;
+}
+
+void setCurrents(Measurement& m, const MotorCurrents& currents)
+{
+    for (std::size_t motor = 0; motor < currents.size(); ++motor) {
+        const bool isMissing = !currents[motor], isOtherMissing = !currents[motor ^ 1U];
+        m.*kMotorCurrents[motor] = currents[motor].value_or(0.0);
+        m.missing[axleFeature(motor)] = isMissing && isOtherMissing;
+        m.missingMotors[motor] = isMissing && !isOtherMissing;
+    }
+}
+
 void setSides(Measurement& m, const SideForces& sides)
 {
     m.sides = sides;
     for (std::size_t e = 0; e < m.force.size(); ++e) {
-        const auto &left = sides.left[e], &right = sides.right[e];
-        m.force[e] = left && right ? (*left + *right) / 2.0 : left.value_or(right.value_or(0.0));
+        m.force[e] = meanOfSides(sides.left[e], sides.right[e]).value_or(0.0);
         m.missing[kFirstForceFeature + e] = !sides.knows(e);
     }
 }
@@ -56,10 +97,9 @@ Proprioception proprioception(const Measurement& m)
     s.pitch = m.pitch;
     s.front = (m.frontLeft + m.frontRight) / 2.0;
     s.rear = (m.rearLeft + m.rearRight) / 2.0;
-    if (!m.missing[kFrontCurrentFeature])
-        s.frontCurrent = (m.frontLeftCurrent + m.frontRightCurrent) / 2.0;
-    if (!m.missing[kRearCurrentFeature])
-        s.rearCurrent = (m.rearLeftCurrent + m.rearRightCurrent) / 2.0;
+    const MotorCurrents currents = motorCurrents(m);
+    s.frontCurrent = meanOfSides(currents[0], currents[1]);
+    s.rearCurrent = meanOfSides(currents[2], currents[3]);
     for (std::size_t i = 0; i < m.force.size(); ++i)
         if (!m.missing[kFirstForceFeature + i]) s.force[i] = m.force[i];
     return s;

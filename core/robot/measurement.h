@@ -23,7 +23,14 @@ using MissingFeatures = std::bitset<kFeatures>;
 inline constexpr std::size_t kFrontCurrentFeature = 3, kRearCurrentFeature = 4,
                              kFirstForceFeature = 5;
 
-/// The proprioceptive vector s of the paper, left and right flippers averaged.
+inline constexpr std::size_t kMotors = 4;  ///< of the flippers
+
+/// Currents of the flippers' motors [A], positive = pressing down: front left, front right, rear
+/// left, rear right. An empty optional means "not measured".
+using MotorCurrents = std::array<std::optional<double>, kMotors>;
+
+/// The proprioceptive vector s of the paper, left and right flippers averaged. Where only one side of
+/// a current or force was measured, it is the value of that side.
 /// An empty optional means "not measured"; every present value is finite.
 struct Proprioception {
     double pitch = 0.0;  ///< [rad] nose up positive
@@ -93,6 +100,9 @@ struct Measurement {
     std::optional<double> turned{};     ///< [rad] left positive, wrapped to one turn
     /// Currents (of both sides) and forces that were not measured.
     MissingFeatures missing{};
+    /// Motors whose current was not measured although the other one of their axle was, in the order
+    /// of MotorCurrents.
+    std::bitset<kMotors> missingMotors{};
     /// Forces of each side. Sessions of versions 1 to 3 do not have them.
     SideForces sides{};                    ///< front flippers
     SideForces rearSides{};                ///< rear flippers, if the robot has elements there
@@ -100,11 +110,21 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
+/// Returns the mean of both sides, or the side that is known; empty if none is.
+std::optional<double> meanOfSides(const std::optional<double>& left,
+                                  const std::optional<double>& right);
+
+/// Returns the current of each motor.
+MotorCurrents motorCurrents(const Measurement& measurement);
+
+/// Sets the current of each motor, `missingMotors`, and the currents of `missing`.
+void setCurrents(Measurement& measurement, const MotorCurrents& currents);
+
 /// Sets the forces of each side, and `force` and `missing` to their means. The mean of an element with
 /// one known side is that side. An element without a known side is missing.
 void setSides(Measurement& measurement, const SideForces& sides);
 
-/// Returns s with left and right averaged. Features that were not measured are empty.
+/// Returns s with the meanOfSides() of left and right. Features that were not measured are empty.
 Proprioception proprioception(const Measurement& measurement);
 
 /// Returns value, or NaN if the measurement lacks that feature, for display.

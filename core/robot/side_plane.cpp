@@ -14,12 +14,6 @@ constexpr double kElementShareSd = 0.10, kElementFloor = 0.3;  // share, [N]
 
 using Reading = std::optional<double>;
 
-Reading meanOf(const Reading& left, const Reading& right)
-{
-    if (left && right) return (*left + *right) / 2.0;
-    return left ? left : right;
-}
-
 /// Returns true if the readings differ by at most kSymmetricSd standard deviations of their
 /// difference. sd: of one reading.
 bool agree(double left, double right, double sd)
@@ -38,7 +32,7 @@ bool forcesAgree(const TwoTrackReadings& s)
     for (std::size_t e = 0; e < std::size_t{kForceElements}; ++e) {
         const Reading& left = s.forces[indexOf(Flipper::FrontLeft)][e];
         const Reading& right = s.forces[indexOf(Flipper::FrontRight)][e];
-        const double mean = meanOf(left, right).value_or(0.0);
+        const double mean = meanOfSides(left, right).value_or(0.0);
         if (!agree(left, right, std::hypot(kElementShareSd * mean, kElementFloor))) return false;
     }
     return true;

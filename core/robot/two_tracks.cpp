@@ -54,14 +54,7 @@ TwoTrackReadings twoTrackReadings(const Measurement& m)
     s.roll = m.roll;
     s.flippers = {m.frontLeft, m.frontRight, m.rearLeft, m.rearRight};
     s.differential = m.differential;
-    if (!m.missing[kFrontCurrentFeature]) {
-        s.currents[indexOf(Flipper::FrontLeft)] = m.frontLeftCurrent;
-        s.currents[indexOf(Flipper::FrontRight)] = m.frontRightCurrent;
-    }
-    if (!m.missing[kRearCurrentFeature]) {
-        s.currents[indexOf(Flipper::RearLeft)] = m.rearLeftCurrent;
-        s.currents[indexOf(Flipper::RearRight)] = m.rearRightCurrent;
-    }
+    s.currents = motorCurrents(m);
     s.forces = {m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right};
     return s;
 }
@@ -72,16 +65,7 @@ Measurement measurementOf(const TwoTrackReadings& s)
     m.pitch = s.pitch;
     m.roll = s.roll;
     std::tie(m.frontLeft, m.frontRight, m.rearLeft, m.rearRight) = std::tuple_cat(s.flippers);
-    const auto setCurrents = [&](std::size_t feature, Flipper left, Flipper right, double& ofLeft,
-                                 double& ofRight) {
-        const auto &l = s.currents[indexOf(left)], &r = s.currents[indexOf(right)];
-        m.missing[feature] = !l || !r;
-        if (l && r) std::tie(ofLeft, ofRight) = std::pair(*l, *r);
-    };
-    setCurrents(kFrontCurrentFeature, Flipper::FrontLeft, Flipper::FrontRight, m.frontLeftCurrent,
-                m.frontRightCurrent);
-    setCurrents(kRearCurrentFeature, Flipper::RearLeft, Flipper::RearRight, m.rearLeftCurrent,
-                m.rearRightCurrent);
+    setCurrents(m, s.currents);
     const auto forces = [&s](Flipper left, Flipper right) {
         return SideForces{s.forces[indexOf(left)], s.forces[indexOf(right)]};
     };

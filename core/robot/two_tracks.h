@@ -78,7 +78,7 @@ struct TwoTrackReadings {
 TwoTrackReadings twoTrackReadings(const Measurement& measurement);
 
 /// Returns a line of telemetry with these readings, as twoTrackReadings() reads it. Other values
-/// are those of a new Measurement. The currents of an axle are missing if one of them is.
+/// are those of a new Measurement.
 Measurement measurementOf(const TwoTrackReadings& readings);
 
 /// Returns the readings with left and right exchanged.

@@ -145,11 +145,16 @@ AbsolemVerdict keepCurrent(AbsolemState& state, const AbsolemFrame& reply, doubl
     return AbsolemVerdict::Used;
 }
 
+std::optional<double> freshValue(const std::optional<Dated<double>>& dated, double oldest)
+{
+    return dated && dated->time >= oldest ? std::optional(dated->value) : std::nullopt;
+}
+
 std::optional<Pair> freshPair(const std::optional<Dated<double>>& left,
                               const std::optional<Dated<double>>& right, double oldest)
 {
-    if (!left || !right || left->time < oldest || right->time < oldest) return std::nullopt;
-    return Pair{left->value, right->value};
+    const auto l = freshValue(left, oldest), r = freshValue(right, oldest);
+    return l && r ? std::optional(Pair{*l, *r}) : std::nullopt;
 }
 
 }  // namespace
@@ -221,8 +226,10 @@ SensorLine sensorLineOf(const AbsolemState& state, double now, double limit)
     SensorLine line;
     line.frontAngles = freshPair(state.frontLeft.angle, state.frontRight.angle, oldest);
     line.rearAngles = freshPair(state.rearLeft.angle, state.rearRight.angle, oldest);
-    line.frontCurrents = freshPair(state.frontLeft.current, state.frontRight.current, oldest);
-    line.rearCurrents = freshPair(state.rearLeft.current, state.rearRight.current, oldest);
+    line.frontCurrents = {freshValue(state.frontLeft.current, oldest),
+                          freshValue(state.frontRight.current, oldest)};
+    line.rearCurrents = {freshValue(state.rearLeft.current, oldest),
+                         freshValue(state.rearRight.current, oldest)};
     return line;
 }
 

@@ -111,7 +111,7 @@ struct AbsolemState {
 };
 
 /// Returns the sensor line that this bus provides: angles and currents that are at most `limit` [s]
-/// old.
+/// old. An axle has angles if both are.
 SensorLine sensorLineOf(const AbsolemState& state, double now, double limit);
 
 /// Follows the requests of the robot's computer and the replies of its drives. It has no clock;

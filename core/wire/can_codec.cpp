@@ -16,6 +16,7 @@ constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
 constexpr std::uint8_t kFrameLength = 8;
 constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // first of the frames that every line has
 constexpr std::size_t kVoltageFrames = 4;  // of the front flippers, and as many of the rear ones
+constexpr std::size_t kFirstMissing = 3;   // place of LeftMissing; Left has place 0
 
 using Values = std::array<double, kMaxSignals>;
 
@@ -150,14 +151,28 @@ Values valuesOf(const std::optional<Pair>& pair)
     return pair ? Values{pair->left, pair->right, 1.0} : Values{};
 }
 
-std::optional<Pair> pairOf(const Values& v)
+// Both currents of an axle missing are sent as an axle that was not measured.
+Values valuesOf(const AxleCurrents& axle)
 {
-    return v[2] != 0.0 ? std::optional(Pair{v[0], v[1]}) : std::nullopt;
+    const auto& [left, right] = axle;
+    if (!left && !right) return {};
+    return {left.value_or(0.0), right.value_or(0.0), 1.0, left ? 0.0 : 1.0, right ? 0.0 : 1.0};
 }
 
-std::optional<SensorLine::Odometry> odometryOf(const Values& v)
+AxleCurrents currentsOf(const Unpacked& content)
 {
-    return v[2] != 0.0 ? std::optional(SensorLine::Odometry{v[0], v[1]}) : std::nullopt;
+    const auto measured = measuredSignals(content);
+    const auto of = [&](std::size_t side) {
+        return measured[side] ? std::optional(content.values[side]) : std::nullopt;
+    };
+    return {of(0), of(1)};
+}
+
+// Returns the two values of a frame with Measured behind them; empty if it is 0.
+template <class T>
+std::optional<T> twoOf(const Values& v)
+{
+    return v[2] != 0.0 ? std::optional(T{v[0], v[1]}) : std::nullopt;
 }
 
 void readVoltages(SensorLine& line, std::size_t set, const Values& v)
@@ -167,17 +182,15 @@ void readVoltages(SensorLine& line, std::size_t set, const Values& v)
 }
 
 // Writes the values of a sensor frame into the line.
-void readSensors(SensorLine& line, FrameKind kind, const Values& v)
+void readSensors(SensorLine& line, const Unpacked& content)
 {
-    switch (kind) {
-    case FrameKind::Attitude:
-        line.attitude =
-            v[2] != 0.0 ? std::optional(SensorLine::Attitude{v[0], v[1]}) : std::nullopt;
-        return;
-    case FrameKind::FrontAngles: line.frontAngles = pairOf(v); return;
-    case FrameKind::RearAngles: line.rearAngles = pairOf(v); return;
-    case FrameKind::FrontCurrents: line.frontCurrents = pairOf(v); return;
-    case FrameKind::RearCurrents: line.rearCurrents = pairOf(v); return;
+    const Values& v = content.values;
+    switch (content.kind) {
+    case FrameKind::Attitude: line.attitude = twoOf<SensorLine::Attitude>(v); return;
+    case FrameKind::FrontAngles: line.frontAngles = twoOf<Pair>(v); return;
+    case FrameKind::RearAngles: line.rearAngles = twoOf<Pair>(v); return;
+    case FrameKind::FrontCurrents: line.frontCurrents = currentsOf(content); return;
+    case FrameKind::RearCurrents: line.rearCurrents = currentsOf(content); return;
     case FrameKind::LeftForces1To3: readVoltages(line, 0, v); return;
     case FrameKind::LeftForces4To6: readVoltages(line, 1, v); return;
     case FrameKind::RightForces1To3: readVoltages(line, 2, v); return;
@@ -275,6 +288,19 @@ std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame)
     if ((word & ~named) != 0) return FrameFault::ReservedBits;
     if (isExactArm(*kind, content.values)) return FrameFault::OutOfRange;
     return content;
+}
+
+std::bitset<kMaxSignals> measuredSignals(const Unpacked& content)
+{
+    std::bitset<kMaxSignals> measured;
+    const auto signals = layoutOf(content.kind).payload;
+    const bool isWhole = valueOf(content, "Measured").value_or(1.0) != 0.0;
+    for (std::size_t i = 0; i < signals.size(); ++i)
+        measured[i] = isWhole || signals[i].name == "Measured";
+    if (content.kind == FrameKind::FrontCurrents || content.kind == FrameKind::RearCurrents)
+        for (std::size_t side = 0; side < 2; ++side)
+            if (content.values[kFirstMissing + side] != 0.0) measured.reset(side);
+    return measured;
 }
 
 bool meansStop(const CanFrame& frame)
@@ -400,14 +426,14 @@ SensorLineReader::SensorLineReader(const LineExtent& extent)
 std::optional<SensorLine> SensorLineReader::add(const Unpacked& content)
 {
     if (content.kind == FrameKind::Odometry)
-        odometry_ = CountedOdometry{content.counter, odometryOf(content.values)};
+        odometry_ = CountedOdometry{content.counter, twoOf<SensorLine::Odometry>(content.values)};
     if (content.kind < kFirstSensor || (bitOf(content.kind) & needed_) == 0) return std::nullopt;
     if (have_ != 0 && content.counter != counter_) {
         ++unfinished_;
         have_ = 0;
     }
     counter_ = content.counter;
-    readSensors(line_, content.kind, content.values);
+    readSensors(line_, content);
     have_ |= bitOf(content.kind);
     if (have_ != needed_) return std::nullopt;
     have_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,6 +45,10 @@ CanFrame pack(const Unpacked& content);
 
 /// Unpacks a frame that is valid in every bit; E2eReceiver judges its counter.
 std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame);
+
+/// Returns which signals of a frame hold a value, in the order of its layout. If Measured is 0, it is
+/// the only one. A current whose LeftMissing or RightMissing is 1 holds none.
+std::bitset<kMaxSignals> measuredSignals(const Unpacked& content);
 
 /// Returns true if a robot must stop on this frame: any standard frame with the identifier of Stop,
 /// however damaged.
@@ -100,6 +105,13 @@ struct Pair {
     bool operator==(const Pair&) const = default;
 };
 
+/// Currents of the motors of an axle [A], positive = pressing down; an empty optional was not
+/// measured.
+struct AxleCurrents {
+    std::optional<double> left{}, right{};
+    bool operator==(const AxleCurrents&) const = default;
+};
+
 /// One line of a robot's sensors; an empty optional was not measured.
 struct SensorLine {
     struct Attitude {
@@ -114,8 +126,8 @@ struct SensorLine {
     };
     std::optional<Odometry> odometry;
     std::optional<Attitude> attitude;
-    std::optional<Pair> frontAngles, rearAngles;      ///< [rad] tip up positive, within half a turn
-    std::optional<Pair> frontCurrents, rearCurrents;  ///< [A] positive = pressing down
+    std::optional<Pair> frontAngles, rearAngles;  ///< [rad] tip up positive, within half a turn
+    AxleCurrents frontCurrents, rearCurrents;
     /// Voltages on the reference resistors [V]: left 1–3, left 4–6, right 1–3, right 4–6, front
     /// flippers before rear ones.
     std::array<std::optional<Three>, 8> voltages;

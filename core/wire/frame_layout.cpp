@@ -64,7 +64,8 @@ constexpr SignalLayout kStatusSignals[]{{"Epoch", 24, 8, false, 1.0, 1.0, 255.0,
 constexpr SignalLayout kAttitude[]{angle("Pitch", 24, 1.6), angle("Roll", 40),
                                    flag("Measured", 56)};
 constexpr SignalLayout kAngles[]{angle("Left", 24), angle("Right", 40), flag("Measured", 56)};
-constexpr SignalLayout kCurrents[]{current("Left", 24), current("Right", 40), flag("Measured", 56)};
+constexpr SignalLayout kCurrents[]{current("Left", 24), current("Right", 40), flag("Measured", 56),
+                                   flag("LeftMissing", 57), flag("RightMissing", 58)};
 constexpr SignalLayout kForces1To3[]{voltage("Element1", 24), voltage("Element2", 37),
                                      voltage("Element3", 50), flag("Measured", 63)};
 constexpr SignalLayout kForces4To6[]{voltage("Element4", 24), voltage("Element5", 37),

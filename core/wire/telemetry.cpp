@@ -32,14 +32,8 @@ SideForces sideForces(const Elements& left, const Elements& right)
 
 void addCurrents(Measurement& m, const SensorLine& line)
 {
-    m.missing[kFrontCurrentFeature] = !line.frontCurrents;
-    m.missing[kRearCurrentFeature] = !line.rearCurrents;
-    const Pair front = line.frontCurrents.value_or(Pair{});
-    const Pair rear = line.rearCurrents.value_or(Pair{});
-    m.frontLeftCurrent = front.left;
-    m.frontRightCurrent = front.right;
-    m.rearLeftCurrent = rear.left;
-    m.rearRightCurrent = rear.right;
+    setCurrents(m, {line.frontCurrents.left, line.frontCurrents.right, line.rearCurrents.left,
+                    line.rearCurrents.right});
 }
 
 double clamped(FrameKind kind, std::size_t signal, double value)
@@ -54,9 +48,13 @@ Pair angles(double left, double right)
     return {std::remainder(left, kTurn), std::remainder(right, kTurn)};
 }
 
-Pair currents(FrameKind kind, double left, double right)
+AxleCurrents currents(FrameKind kind, const std::optional<double>& left,
+                      const std::optional<double>& right)
 {
-    return {clamped(kind, 0, left), clamped(kind, 1, right)};
+    AxleCurrents axle;
+    if (left) axle.left = clamped(kind, 0, *left);
+    if (right) axle.right = clamped(kind, 1, *right);
+    return axle;
 }
 
 // Returns the resistance at which the curve has this force [Ω].
@@ -197,12 +195,9 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
                                          clamped(FrameKind::Attitude, 1, m.roll)};
     line.frontAngles = angles(m.frontLeft, m.frontRight);
     line.rearAngles = angles(m.rearLeft, m.rearRight);
-    if (!m.missing[kFrontCurrentFeature])
-        line.frontCurrents =
-            currents(FrameKind::FrontCurrents, m.frontLeftCurrent, m.frontRightCurrent);
-    if (!m.missing[kRearCurrentFeature])
-        line.rearCurrents =
-            currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
+    const MotorCurrents motors = motorCurrents(m);
+    line.frontCurrents = currents(FrameKind::FrontCurrents, motors[0], motors[1]);
+    line.rearCurrents = currents(FrameKind::RearCurrents, motors[2], motors[3]);
     const LineExtent extent = lineExtent(robot);
     const std::size_t sets = extent.rearForces ? line.voltages.size() : line.voltages.size() / 2;
     for (std::size_t set = 0; set < sets; ++set) line.voltages[set] = voltages(m, set, robot);

@@ -29,9 +29,9 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
 /// Converts a line of sensors, its elementForces() and its status to a Measurement. The forces of
 /// each side are those of its valid or saturated elements. A force is the mean of left and right, or
-/// the value of the one that is not broken. Measurement::missing names forces with both
-/// broken, and currents that were not measured. Empty if attitude or angles are missing: there is
-/// no pose.
+/// the value of the one that is not broken. Measurement::missing names forces with both broken, and
+/// axles without a current; Measurement::missingMotors names single motors. Empty if attitude or
+/// angles are missing: there is no pose.
 std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
                                          const RobotStatus& status, double time);
 

@@ -12,6 +12,7 @@ from can_frames import MESSAGES, frame, line, telemetry
 from support import CLI, complaint, rows, run
 
 BEGIN = 1436509052.249713
+FLAGS = {"Measured": 1, "LeftMissing": 0, "RightMissing": 0}  # of a frame whose values were all measured
 
 
 def session(lines=40, missing=()):
@@ -63,10 +64,9 @@ class Decode(Logs):
                 values = {name: getattr(signal, end) for name, signal in signals.items()}
                 if message.name == "ArmResult":  # a reading is never exact
                     values["Sd"] = max(values["Sd"], signals["Sd"].scale)
-                if "Measured" in values:
-                    values["Measured"] = 1
+                values |= {name: value for name, value in FLAGS.items() if name in values}
                 text += line(BEGIN + len(expected) * 1e-3, frame(message.name, counter, **values))
-                expected += [(message, signals[name], value) for name, value in values.items() if name != "Measured"]
+                expected += [(message, signals[name], value) for name, value in values.items() if name not in FLAGS]
         got = [row for row in self.values(text) if row["signal"]]
         self.assertEqual(len(got), len(expected))
         for row, (message, signal, value) in zip(got, expected):
@@ -81,6 +81,16 @@ class Decode(Logs):
                 self.assertEqual(row["value"], "yes" if raw else "no")
             else:
                 self.assertAlmostEqual(float(row["value"]), value, delta=0.51 * signal.scale)
+
+    def test_a_missing_current_has_no_value(self):
+        text = ""
+        for i, missing in enumerate(({}, {"LeftMissing": 1}, {"LeftMissing": 1, "RightMissing": 1})):
+            values = {"Left": 0, "Right": 1.7, "Measured": 1} | missing
+            text += line(BEGIN + 0.05 * i, frame("FrontCurrents", i, **values))
+        out = self.decode(text)
+        self.assertIn("#000  ok; Left 0.000 A, Right 1.700 A\n", out)
+        self.assertIn("#001  ok; Right 1.700 A, LeftMissing yes\n", out)
+        self.assertIn("#002  ok; LeftMissing yes, RightMissing yes\n", out)
 
     def test_a_sound_session_has_nothing_wrong(self):
         text = self.decode(session())

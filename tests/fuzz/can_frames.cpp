@@ -125,9 +125,11 @@ struct Receivers {
         for (const std::uint64_t n : robot.counters()) sum += n;
         promise(sum == frames, "every frame has one verdict");
         const SensorLine line = sensorLineOf(robot.state(), now, 0.25);
-        for (const auto& pair :
-             {line.frontAngles, line.rearAngles, line.frontCurrents, line.rearCurrents})
+        for (const auto& pair : {line.frontAngles, line.rearAngles})
             promise(isFinite(pair), "an Absolem's line is finite");
+        for (const auto& [left, right] : {line.frontCurrents, line.rearCurrents})
+            promise(std::isfinite(left.value_or(0.0)) && std::isfinite(right.value_or(0.0)),
+                    "an Absolem's currents are finite");
     }
 };
 

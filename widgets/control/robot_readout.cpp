@@ -3,6 +3,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "app/display/format.h"
 #include "widgets/base/plain_label.h"
@@ -78,7 +80,8 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     const auto pair = [](const QString& left, const QString& right) {
         return RobotReadout::tr("L %1   R %2").arg(left, right);
     };
-    const auto amperes = [](double value) {
+    const auto amperes = [](const std::optional<double>& current) {
+        const double value = current.value_or(std::numeric_limits<double>::quiet_NaN());
         return format::signedNumber(value, 2) + QStringLiteral(" A");
     };
     fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
@@ -92,14 +95,9 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     };
     put(FrontFlippers, angles(m.frontLeft, m.frontRight));
     put(RearFlippers, angles(m.rearLeft, m.rearRight));
-    const auto front = [&](double value) {
-        return amperes(shownFeature(m, kFrontCurrentFeature, value));
-    };
-    const auto rear = [&](double value) {
-        return amperes(shownFeature(m, kRearCurrentFeature, value));
-    };
-    put(FrontCurrents, pair(front(m.frontLeftCurrent), front(m.frontRightCurrent)));
-    put(RearCurrents, pair(rear(m.rearLeftCurrent), rear(m.rearRightCurrent)));
+    const MotorCurrents currents = motorCurrents(m);
+    put(FrontCurrents, pair(amperes(currents[0]), amperes(currents[1])));
+    put(RearCurrents, pair(amperes(currents[2]), amperes(currents[3])));
     for (std::size_t row = 0; row < ages.size(); ++row) {
         ages_[row] = format::age(ages[row]);
         QString tip = tr("%1 old").arg(ages_[row]);

@@ -181,14 +181,19 @@ private:
             f.id, f.extended, f.remote, f.error, f.fd, row.sent, f.length, data, meaning);
     }
 
+    /// A current that only the other motor of its axle measured is null.
     static std::string measurementJson(const Measurement& m)
     {
+        const auto current = [&m](std::size_t motor, double value) {
+            return m.missingMotors[motor] ? "null" : fmt::format("{}", value);
+        };
         return fmt::format(
             R"({{"pitch":{},"roll":{},"front_left":{},"front_right":{},"rear_left":{},"rear_right":{},)"
             R"("front_left_current":{},"front_right_current":{},"rear_left_current":{},"rear_right_current":{},)"
             R"("force":{},"activity":{},"refusal":{}{}}})",
-            m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent,
-            m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent, jsonNumbers(m.force),
+            m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight,
+            current(0, m.frontLeftCurrent), current(1, m.frontRightCurrent),
+            current(2, m.rearLeftCurrent), current(3, m.rearRightCurrent), jsonNumbers(m.force),
             jsonText(describe(m.activity).english), jsonText(describe(m.refusal).english),
             sidesJson(m) + missingJson(m.missing));
     }

@@ -99,14 +99,9 @@ QString numbersCsv(const ReviewMoment& moment)
         for (const double value :
              {m->pitch, m->roll, m->frontLeft, m->frontRight, m->rearLeft, m->rearRight})
             row.push_back(field(value));
-        const auto put = [&](std::size_t feature, double value) {
-            row.push_back(m->missing[feature] ? std::string() : field(value));
-        };
-        put(kFrontCurrentFeature, m->frontLeftCurrent);
-        put(kFrontCurrentFeature, m->frontRightCurrent);
-        put(kRearCurrentFeature, m->rearLeftCurrent);
-        put(kRearCurrentFeature, m->rearRightCurrent);
-        for (std::size_t e = 0; e < m->force.size(); ++e) put(kFirstForceFeature + e, m->force[e]);
+        for (const auto& current : motorCurrents(*m)) row.push_back(field(current.value_or(kNone)));
+        for (std::size_t e = 0; e < m->force.size(); ++e)
+            row.push_back(field(shownFeature(*m, kFirstForceFeature + e, m->force[e])));
         for (const auto& side : {m->sides.left, m->sides.right})
             for (const auto& force : side) row.push_back(force ? field(*force) : std::string());
     } else {

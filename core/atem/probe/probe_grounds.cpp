@@ -46,7 +46,8 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
 {
     const auto& [time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
                  frontRightCurrent, rearLeftCurrent, rearRightCurrent, force, activity, refusal,
-                 arm, travelled, turned, missing, sides, rearSides, differential] = scene;
+                 arm, travelled, turned, missing, missingMotors, sides, rearSides, differential] =
+        scene;
     addAll(bytes, time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
            frontRightCurrent, rearLeftCurrent, rearRightCurrent);
     for (const double f : force) add(bytes, f);
@@ -54,7 +55,8 @@ void add(CanonicalBytes& bytes, const Measurement& scene)
     if (arm) add(bytes, *arm);
     addOptional(bytes, travelled);
     addOptional(bytes, turned);
-    if (missing.any()) add(bytes, missing.to_ulong());
+    const unsigned long lacking = missing.to_ulong() | (missingMotors.to_ulong() << kFeatures);
+    if (lacking != 0) add(bytes, lacking);
     add(bytes, sides);
     add(bytes, rearSides);
     addOptional(bytes, differential);

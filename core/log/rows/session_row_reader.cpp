@@ -190,16 +190,14 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
     for (double* value :
          {&m.time, &m.pitch, &m.roll, &m.frontLeft, &m.frontRight, &m.rearLeft, &m.rearRight})
         *value = row.real();
-    const auto feature = [&](std::size_t number, double& value) {
+    MotorCurrents currents;
+    for (std::optional<double>& current : currents) current = row.realOrInfinite();
+    setCurrents(m, currents);
+    for (std::size_t e = 0; e < m.force.size(); ++e) {
         const std::optional<double> stored = row.realOrInfinite();
-        m.missing[number] = !stored;
-        value = stored.value_or(0.0);
-    };
-    feature(kFrontCurrentFeature, m.frontLeftCurrent);
-    feature(kFrontCurrentFeature, m.frontRightCurrent);
-    feature(kRearCurrentFeature, m.rearLeftCurrent);
-    feature(kRearCurrentFeature, m.rearRightCurrent);
-    for (std::size_t e = 0; e < m.force.size(); ++e) feature(kFirstForceFeature + e, m.force[e]);
+        m.missing[kFirstForceFeature + e] = !stored;
+        m.force[e] = stored.value_or(0.0);
+    }
     m.activity = static_cast<RobotActivity>(row.small(0, static_cast<int>(RobotActivity::Stopped)));
     m.refusal = static_cast<Refusal>(row.small(0, static_cast<int>(Refusal::OutOfLimits)));
     if (!row.isNone())

@@ -31,8 +31,7 @@ double centreOfMass(const RobotModel& r)
 
 void RearLoad::add(const Measurement& line)
 {
-    const bool isMissing = line.missing[kRearCurrentFeature];
-    const double now = isMissing ? 0.0 : (line.rearLeftCurrent + line.rearRightCurrent) / 2.0;
+    const double now = proprioception(line).rearCurrent.value_or(0.0);
     current_ += kNewestCurrent * (now - current_);
 }
 

@@ -176,6 +176,7 @@ void PressWatch::judgeCurrents(double now)
 {
     const Mean& rest = press_->early;
     for (const Sensor sensor : kFrontCurrents) {
+        if (rest.count(sensor) == 0) continue;
         const double current = rest.of(sensor);
         if (current < kWrongCurrent)
             suspect(sensor, SensorTrouble::Flipped, now, current);
@@ -190,9 +191,12 @@ void PressWatch::judgeCurrents(double now)
 void PressWatch::judgeForces(double now)
 {
     const Mean& rest = press_->early;
-    const double motor = robot_.torquePerAmpere
-                       * (rest.of(Sensor::FrontLeftCurrent) + rest.of(Sensor::FrontRightCurrent))
-                       / 2.0;
+    double currents = 0.0, motors = 0.0;
+    for (const Sensor sensor : kFrontCurrents) {
+        currents += rest.of(sensor);
+        motors += rest.count(sensor) > 0 ? 1.0 : 0.0;
+    }
+    const double motor = robot_.torquePerAmpere * currents / std::max(motors, 1.0);
     double moment = 0.0, most = 0.0;
     for (std::size_t e = 0; e < kForces.size(); ++e) {
         const double force = rest.of(kForces[e]);
@@ -254,8 +258,10 @@ void PressWatch::judgeSides(double now)
     constexpr std::array kSpread{0.03, 0.03, 0.3, 0.3};
     const std::array axles{kFront, kRear, kFrontCurrents, kRearCurrents};
     for (std::size_t a = 0; a < axles.size(); ++a) {
+        const Mean& early = press_->early;
+        if (early.count(axles[a][0]) == 0 || early.count(axles[a][1]) == 0) continue;
         Differences& last = differences_[a];
-        last.push_back(press_->early.of(axles[a][0]) - press_->early.of(axles[a][1]));
+        last.push_back(early.of(axles[a][0]) - early.of(axles[a][1]));
         if (last.size() > kSidePresses) last.pop_front();
         if (last.size() < kSidePresses) continue;
         const auto [low, high] = std::minmax_element(last.begin(), last.end());

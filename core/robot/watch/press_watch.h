@@ -19,8 +19,8 @@ namespace terratact {
 ///   odometry  It does not change during a press.
 ///   pitch     It stays once the flippers are pressed. The rule sums the squared changes over several
 ///             presses, in units of noise.
-/// Fewer rules apply to a press that found no ground, and to one that ends within kSettle. The
-/// watch has no clock.
+/// Fewer rules apply to a press that found no ground, and to one that ends within kSettle. A current
+/// that was not measured is not judged. The watch has no clock.
 /// Forces are the means of left and right.
 class PressWatch {
 public:

@@ -16,8 +16,7 @@ constexpr double kHardly = 0.1;  // share of a step with loaded rear flippers
 
 bool isFrontLoaded(const Measurement& m)
 {
-    return !m.missing[kFrontCurrentFeature]
-        && (m.frontLeftCurrent + m.frontRightCurrent) / 2.0 > kFrontLoad;
+    return proprioception(m).frontCurrent.value_or(0.0) > kFrontLoad;
 }
 
 }  // namespace

@@ -54,6 +54,13 @@ auto plainReadings(Line& m)
                       &m.rearRightCurrent};
 }
 
+/// Returns true for a current that was not measured.
+bool lacksCurrent(const Measurement& line, Sensor sensor)
+{
+    return kindOf(sensor) == SensorKind::Current
+        && !motorCurrents(line)[indexOf(sensor) - indexOf(Sensor::FrontLeftCurrent)];
+}
+
 void setSide(Measurement& line, Sensor sensor, double value)
 {
     const std::size_t e = elementOf(sensor);
@@ -83,7 +90,8 @@ SensorReadings readingsOf(const Measurement& m)
 {
     SensorReadings readings;
     const auto plain = plainReadings(m);
-    for (std::size_t i = 0; i < plain.size(); ++i) readings[i] = *plain[i];
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        if (!lacksCurrent(m, sensorAt(i))) readings[i] = *plain[i];
     for (std::size_t e = 0; e < m.force.size(); ++e) {
         readings[indexOf(meanForce(e))] = m.force[e];
         readings[indexOf(leftForce(e))] = m.sides.left[e];
@@ -106,7 +114,7 @@ void setReading(Measurement& m, Sensor sensor, double value)
     const std::size_t i = indexOf(sensor);
     const auto plain = plainReadings(m);
     if (i < plain.size()) {
-        *plain[i] = value;
+        if (!lacksCurrent(m, sensor)) *plain[i] = value;
     } else if (sensor == Sensor::Travelled) {
         if (m.travelled) m.travelled = value;
     } else if (isMeanForce(sensor)) {

@@ -57,6 +57,19 @@ TEST(CanText, aFrameWithoutAMeasurementIsMarked)
     EXPECT_EQ(wordsOf(words.values), "not measured");
 }
 
+TEST(CanText, aMissingCurrentHasNoValue)
+{
+    const auto reader = frameReader(CanProtocol::Terratact);
+    const auto text = [&](std::uint8_t counter, double leftMissing) {
+        const CanFrame frame = pack({.kind = FrameKind::FrontCurrents,
+                                     .counter = counter,
+                                     .values = {0.0, 1.7, 1.0, leftMissing, 0.0}});
+        return wordsOf(reader->read(frame, 0.05 * counter).values);
+    };
+    EXPECT_EQ(text(1, 0.0), "Left 0.000 A, Right 1.700 A");
+    EXPECT_EQ(text(2, 1.0), "Right 1.700 A, LeftMissing yes");
+}
+
 TEST(CanText, aDamagedFrameShowsItsBytesOnly)
 {
     const auto reader = frameReader(CanProtocol::Terratact);

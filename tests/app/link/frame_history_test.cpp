@@ -105,6 +105,24 @@ TEST_F(Tapping, unmeasuredSignalsHaveNoExtremes)
     EXPECT_EQ(frame.payload[2].last.value(), 0.0) << "that it was not measured is a value";
 }
 
+TEST_F(Tapping, aMissingCurrentHasNoValue)
+{
+    const auto currents = [](std::uint8_t number, double left, double isMissing) {
+        return BusFrame{.frame = pack({.kind = FrameKind::RearCurrents,
+                                       .counter = number,
+                                       .values = {left, 1.7, 1.0, isMissing}}),
+                        .time = 0.05 * number};
+    };
+    add(currents(1, 1.5, 0.0));
+    add(currents(2, 0.0, 1.0));
+    const TappedFrame frame = of(FrameKind::RearCurrents, 0.1);
+    EXPECT_TRUE(frame.isMeasured);
+    EXPECT_FALSE(frame.payload[0].last);
+    EXPECT_NEAR(frame.payload[0].least.value(), 1.5, 1e-9) << "the last one that was measured";
+    EXPECT_NEAR(frame.payload[1].last.value(), 1.7, 1e-9);
+    EXPECT_EQ(frame.payload[3].last, 1.0);
+}
+
 TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
 {
     const auto total = static_cast<std::uint32_t>(FrameHistory::kTrace + 123);

@@ -116,6 +116,7 @@ TEST(TelemetrySignals, giveEachValueOfALine)
     m.travelled = 7.5;
     m.rearSides.right[5] = 12.0;
     m.missing.set(kRearCurrentFeature);
+    m.missingMotors.set(1);
     m.missing.set(kFirstForceFeature + 1);
     const auto value = [&](const std::string& id) {
         const auto signals = telemetrySignals();
@@ -128,6 +129,7 @@ TEST(TelemetrySignals, giveEachValueOfALine)
     EXPECT_EQ(value("rear_right"), 0.6);
     EXPECT_EQ(value("force4"), 44.0);
     EXPECT_EQ(value("front_current_left"), 3.0);
+    EXPECT_EQ(value("front_current_right"), std::nullopt) << "not measured";
     EXPECT_EQ(value("travelled"), 7.5);
     EXPECT_EQ(value("rear_right_force6"), 12.0);
     EXPECT_EQ(value("rear_right_force5"), std::nullopt);
@@ -189,6 +191,17 @@ TEST(LiveSignals, keepEveryFrameOfChosenSignals)
     EXPECT_NEAR(all(signals, "payload:500 Gas.Oxygen").last, 20.5, 1e-9);
     EXPECT_EQ(all(signals, "telemetry:roll").last, 0.125);
     EXPECT_EQ(all(signals, "telemetry:pitch").count, 0U) << "not chosen";
+}
+
+TEST(LiveSignals, omitAMissingCurrent)
+{
+    LiveSignals signals(0.0);
+    signals.choose({"bus:FrontCurrents.Left", "bus:FrontCurrents.Right"});
+    FrameValidator validator;
+    const CanFrame frame = pack({.kind = FrameKind::FrontCurrents, .values = {0.0, 1.7, 1.0, 1.0}});
+    signals.add(received(frame, 1.0), validator.judge(frame, 1.0));
+    EXPECT_EQ(all(signals, "bus:FrontCurrents.Left").count, 0U);
+    EXPECT_EQ(all(signals, "bus:FrontCurrents.Right").count, 1U);
 }
 
 TEST(LiveSignals, aNewChoiceKeepsTheSignalsOfBoth)

@@ -8,6 +8,7 @@
 
 #include "core/log/review_moment.h"
 #include "core/log/session_strip.h"
+#include "core/wire/telemetry.h"
 #include "core/wire/telemetry_listener.h"
 #include "tests/support/bytes/csv_mapping.h"
 #include "tests/support/sessions/session_files.h"
@@ -109,6 +110,39 @@ TEST_F(ImportedSessions, signalsLoseNothingOfTheTelemetry)
         a.force = b.force;
         a.arm = b.arm;  // not a signal of the export
         ASSERT_EQ(a, b) << i;
+    }
+}
+
+TEST_F(ImportedSessions, signalsKeepAMissingCurrent)
+{
+    const std::string path = session("lost.tts", [](SessionWriter& writer) {
+        for (int i = 0; i < 40; ++i) {
+            Measurement m;
+            m.pitch = 0.01 * (i % 2);
+            m.travelled = 0.01 * i;
+            m.turned = 0.0;
+            setCurrents(m, {std::nullopt, 1.0, 0.5, 0.25});
+            const auto counter = static_cast<std::uint8_t>(i);
+            std::vector<CanFrame> frames = framesOf(sensorLineOf(m, shippedRobot()), counter);
+            frames.insert(frames.begin(), frameOf(RobotStatus{}, counter));
+            SessionTime time = SessionTime{50'000'000} * i;
+            for (const CanFrame& frame : frames) {
+                time += 100'000;
+                ASSERT_TRUE(writer.add(FrameRow{.time = time, .frame = frame}));
+            }
+        }
+    });
+    exported(path, "lost.mcap", ExportKind::Signals);
+    const auto done =
+        imported(directory.file("lost.mcap"), shippedMapping("terratact_signals"), "back.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    const auto lines = linesOfSession(directory.file("back.tts"));
+    ASSERT_EQ(lines.size(), 40U);
+    for (const Measurement& m : lines) {
+        const MotorCurrents currents = motorCurrents(m);
+        ASSERT_FALSE(currents[0]);
+        ASSERT_NEAR(currents[1].value(), 1.0, 1e-9);
+        ASSERT_NEAR(currents[3].value(), 0.25, 1e-9);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <vector>
 
 #include "core/infer/verdict/verdict.h"
 #include "core/log/session_reader.h"
@@ -73,6 +74,28 @@ TEST_F(Session, keepsWhatASceneLacks)
     EXPECT_EQ(reader->scenes()[2], scene);
     EXPECT_EQ(reader->estimate(3)->estimate.side[1].missing, scene.measurement.missing);
     EXPECT_TRUE(reader->estimate(1)->estimate.side[1].missing.none());
+    EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Session, keepsTheCurrentOfOneMotor)
+{
+    auto writer = someSession(path, 100);
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::vector<SceneRow> lacking;
+    for (std::size_t motor = 0; motor < kMotors; ++motor) {
+        const auto more = static_cast<std::int64_t>(motor);
+        SceneRow& scene = lacking.emplace_back(someScene(3 + more, 600'000'000 + more));
+        MotorCurrents currents{0.1, 0.2, 0.3, 0.4};
+        currents[motor].reset();
+        setCurrents(scene.measurement, currents);
+        ASSERT_TRUE(writer->add(scene));
+    }
+    ASSERT_TRUE(writer->seal());
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    ASSERT_EQ(reader->scenes().size(), 2 + kMotors);
+    for (std::size_t motor = 0; motor < kMotors; ++motor)
+        EXPECT_EQ(reader->scenes()[2 + motor], lacking[motor]) << motor;
     EXPECT_FALSE(reader->verify().broken);
 }
 

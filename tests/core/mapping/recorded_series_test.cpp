@@ -216,6 +216,17 @@ TEST_F(SeriesFiles, nanIsNotMeasured)
     EXPECT_EQ(remarks.size(), 2U) << "both fields";
 }
 
+TEST_F(SeriesFiles, theCurrentOfOneMotorIsKept)
+{
+    const auto found = lines(
+        "t,pitch,front_left,front_right,rear_left,rear_right,c\n0,0,0,0,0,0,2\n0.1,0,0,0,0,0,2\n",
+        csvMapping("[front_left_current]\nfield = \"c\"\n"));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(motorCurrents(found[0].measurement)[0], 2.0);
+    EXPECT_FALSE(motorCurrents(found[0].measurement)[1]);
+    EXPECT_EQ(proprioception(found[0].measurement).frontCurrent, 2.0);
+}
+
 TEST_F(SeriesFiles, damageIsTheCauseOfAMissingTopic)
 {
     McapBytes mcap = robotFile(R"({"x":0,"y":0,"z":0,"w":1})");

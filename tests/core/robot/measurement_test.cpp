@@ -40,6 +40,24 @@ TEST(Measurement, aForceIsTheMeanOfItsKnownSides)
     EXPECT_FALSE(proprioception(m).force[3]);
 }
 
+TEST(Measurement, aCurrentIsTheMeanOfItsKnownMotors)
+{
+    Measurement m;
+    setCurrents(m, {std::nullopt, 2.0, 1.0, 4.0});
+    EXPECT_EQ(motorCurrents(m), (MotorCurrents{std::nullopt, 2.0, 1.0, 4.0}));
+    EXPECT_EQ(proprioception(m).frontCurrent, 2.0);
+    EXPECT_EQ(proprioception(m).rearCurrent, 2.5);
+    EXPECT_TRUE(m.missing.none());
+    EXPECT_EQ(m.missingMotors.to_string(), "0001");
+    setCurrents(m, {std::nullopt, std::nullopt, 1.0, std::nullopt});
+    EXPECT_FALSE(proprioception(m).frontCurrent);
+    EXPECT_EQ(proprioception(m).rearCurrent, 1.0);
+    EXPECT_EQ(m.frontRightCurrent, 0.0);
+    EXPECT_TRUE(m.missing[kFrontCurrentFeature]);
+    EXPECT_FALSE(m.missing[kRearCurrentFeature]);
+    EXPECT_EQ(m.missingMotors.to_string(), "1000");
+}
+
 TEST(Measurement, everyActivityAndRefusalHasADistinctText)
 {
     std::set<std::string> words;

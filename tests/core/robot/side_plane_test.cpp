@@ -45,7 +45,7 @@ TEST(SidePlane, aPlaneReadsTheMeanOfWhatIsThere)
     const Proprioception mean = planeReadings(s);
     EXPECT_DOUBLE_EQ(mean.front, 0.2);
     EXPECT_DOUBLE_EQ(mean.rear, -0.1);
-    EXPECT_EQ(mean.frontCurrent, std::nullopt);  // as in telemetry
+    EXPECT_EQ(mean.frontCurrent, 1.0);
     EXPECT_EQ(mean.rearCurrent, 2.0);
     EXPECT_EQ(mean.force[0], 6.0);
     EXPECT_EQ(mean.force[5], 0.0);

@@ -155,6 +155,11 @@ TEST(TwoTrackReadings, becomeALineAndComeBack)
     lacking.missing[kRearCurrentFeature] = true;
     lacking.rearLeftCurrent = lacking.rearRightCurrent = 0.0;
     EXPECT_EQ(measurementOf(twoTrackReadings(lacking)), lacking);
+    for (std::size_t motor = 0; motor < kMotors; ++motor) {
+        TwoTrackReadings s = twoTrackReadings(m);
+        s.currents[motor].reset();
+        EXPECT_EQ(twoTrackReadings(measurementOf(s)), s) << motor;
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/robot/watch/driven_ground.h"
 #include "core/robot/watch/return_watch.h"
 #include "core/robot/watch/stuck_watch.h"
 #include "core/sim/ground/random_terrain.h"
@@ -55,6 +56,20 @@ TEST(SupportAngle, IsTheTangentToWheelAndTips)
     const Pose pose{.base = {0.0, 0.0}, .pitch = -angle, .front = 0.5, .rear = -0.25};
     const RobotShape shape = shapeAt(robot, pose);
     EXPECT_NEAR(shape.track.b.z - shape.track.rb, shape.rear.b.z - shape.rear.rb, 0.006);
+}
+
+TEST(RearLoad, IsThatOfTheMotorThatIsMeasured)
+{
+    RearLoad both, one;
+    for (int k = 0; k < 20; ++k) {
+        Measurement m;
+        setCurrents(m, {0.0, 0.0, 0.6, 0.6});
+        both.add(m);
+        setCurrents(m, {0.0, 0.0, std::nullopt, 0.6});
+        one.add(m);
+    }
+    EXPECT_TRUE(both.isLoaded());
+    EXPECT_EQ(one.current(), both.current());
 }
 
 TEST(DrivenGround, BoundsTheGroundUnderThePathOfTheTracks)

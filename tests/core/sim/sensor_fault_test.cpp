@@ -217,5 +217,16 @@ TEST(SensorFault, LeavesWhatASceneDidNotMeasure)
     EXPECT_EQ(read.front, 0.0);
 }
 
+TEST(SensorFault, LeavesAMotorWithoutACurrent)
+{
+    Measurement m = line(0.0, 0.0);
+    setCurrents(m, {std::nullopt, 1.0, 1.0, 1.0});
+    const Measurement read = with("offset:currents:0.5").apply(m);
+    EXPECT_EQ(motorCurrents(read), (MotorCurrents{std::nullopt, 1.5, 1.5, 1.5}));
+    EXPECT_EQ(read.frontLeftCurrent, 0.0);
+    setReading(m, Sensor::FrontLeftCurrent, 3.0);
+    EXPECT_EQ(m.frontLeftCurrent, 0.0);
+}
+
 }  // namespace
 }  // namespace terratact

@@ -131,6 +131,20 @@ TEST(SensorWatch, NamesTheSensorAndTheKind)
               "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?");
 }
 
+TEST(SensorWatch, DoesNotBlameAMissingCurrent)
+{
+    SensorWatch watch(absolem());
+    for (const WatchedLine& line : drives()[0]) {
+        Measurement sensed = line.measurement;
+        MotorCurrents currents = motorCurrents(sensed);
+        currents[0].reset();
+        setCurrents(sensed, currents);
+        watch.add(sensed);
+        for (const SensorSuspicion& s : watch.standing())
+            ASSERT_NE(kindOf(s.sensor), SensorKind::Current) << describe(s).english();
+    }
+}
+
 TEST(SensorWatch, ClearsASensorThatRecovers)
 {
     SensorWatch watch(absolem());

@@ -246,12 +246,12 @@ TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
     askCurrent(Node::FrontRight, 1.0F);
     askPosition(Node::RearLeft, 0);
     SensorLine line = sensorLineOf(state(), now, 0.25);
-    ASSERT_TRUE(line.frontAngles && line.frontCurrents);
+    ASSERT_TRUE(line.frontAngles);
     EXPECT_NEAR(line.frontAngles->left, 0.2 * kPi, 1e-12);
     EXPECT_NEAR(line.frontAngles->right, 0.2 * kPi, 1e-12);
-    EXPECT_EQ(*line.frontCurrents, (Pair{2.0, 1.0}));
+    EXPECT_EQ(line.frontCurrents, (AxleCurrents{2.0, 1.0}));
     EXPECT_FALSE(line.rearAngles) << "of the right one nothing is known";
-    EXPECT_FALSE(line.rearCurrents);
+    EXPECT_EQ(line.rearCurrents, AxleCurrents{});
     EXPECT_FALSE(line.attitude || line.voltages[0] || line.arm) << "nothing of it is on this bus";
     EXPECT_FALSE(sensorLineOf(state(), now + 0.3, 0.25).frontAngles);
     now += 0.3;
@@ -259,7 +259,9 @@ TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
     EXPECT_FALSE(sensorLineOf(state(), now, 0.25).frontAngles) << "the left one is old";
     askPosition(Node::FrontLeft, 600);
     EXPECT_TRUE(sensorLineOf(state(), now, 0.25).frontAngles);
-    EXPECT_FALSE(sensorLineOf(state(), now, 0.25).frontCurrents);
+    EXPECT_EQ(sensorLineOf(state(), now, 0.25).frontCurrents, AxleCurrents{});
+    askCurrent(Node::FrontLeft, -2.0F);
+    EXPECT_EQ(sensorLineOf(state(), now, 0.25).frontCurrents, (AxleCurrents{.left = 2.0}));
 }
 
 TEST(AbsolemFrames, areDecodedAsInTheManual)

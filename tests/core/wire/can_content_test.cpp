@@ -138,8 +138,8 @@ SensorLine fullLine()
     line.attitude = SensorLine::Attitude{0.2, -0.1};
     line.frontAngles = Pair{0.3, 0.31};
     line.rearAngles = Pair{-0.4, -0.41};
-    line.frontCurrents = Pair{1.5, 1.501};
-    line.rearCurrents = Pair{-2.5, 2.501};
+    line.frontCurrents = {1.5, 1.501};
+    line.rearCurrents = {-2.5, 2.501};
     for (std::size_t set = 0; set < 4; ++set) {
         const double v = 0.625 * static_cast<double>(set + 1);
         line.voltages[set] = SensorLine::Three{v, v + 0.0625, v + 0.125};
@@ -212,6 +212,61 @@ TEST(SensorLine, marksWhatWasNotMeasured)
     SensorLineReader reader;
     ASSERT_TRUE(read(reader, fullLine(), 1));
     EXPECT_EQ(read(reader, SensorLine{}, 2), SensorLine{}) << "nothing of the line before";
+}
+
+TEST(SensorLine, keepsTheCurrentOfOneMotor)
+{
+    SensorLine line = fullLine();
+    line.frontCurrents.left.reset();
+    line.rearCurrents.right.reset();
+    const CanFrame front = framesOf(line, 1)[4];
+    const DbcMessage& m = message("FrontCurrents");
+    ASSERT_EQ(front.id, m.id);
+    EXPECT_EQ(physical(front, m.signal("Left")), 0.0);
+    EXPECT_EQ(physical(front, m.signal("Measured")), 1.0);
+    EXPECT_EQ(physical(front, m.signal("LeftMissing")), 1.0);
+    EXPECT_EQ(physical(front, m.signal("RightMissing")), 0.0);
+    SensorLineReader reader;
+    const auto got = read(reader, line, 1);
+    ASSERT_TRUE(got);
+    EXPECT_FALSE(got->frontCurrents.left);
+    EXPECT_NEAR(got->frontCurrents.right.value(), 1.501, 1e-9);
+    EXPECT_NEAR(got->rearCurrents.left.value(), -2.5, 1e-9);
+    EXPECT_FALSE(got->rearCurrents.right);
+}
+
+TEST(SensorLine, anAxleWithoutCurrentsHasNoOtherBit)
+{
+    SensorLine line = fullLine();
+    line.frontCurrents = {};
+    EXPECT_EQ(framesOf(line, 1)[4], pack({.kind = FrameKind::FrontCurrents, .counter = 1}));
+}
+
+TEST(MeasuredSignals, lackACurrentWhoseBitIsSet)
+{
+    const auto of = [](double measured, double left, double right) {
+        return measuredSignals(
+                   {.kind = FrameKind::RearCurrents, .values = {1.0, 1.0, measured, left, right}})
+            .to_string();  // RightMissing, LeftMissing, Measured, Right, Left
+    };
+    EXPECT_EQ(of(1.0, 0.0, 0.0), "0011111");
+    EXPECT_EQ(of(1.0, 1.0, 0.0), "0011110");
+    EXPECT_EQ(of(1.0, 0.0, 1.0), "0011101");
+    EXPECT_EQ(of(1.0, 1.0, 1.0), "0011100") << "as not measured";
+    EXPECT_EQ(of(0.0, 0.0, 0.0), "0000100");
+    EXPECT_EQ(of(0.0, 1.0, 0.0), "0000100");
+    EXPECT_EQ(measuredSignals({.kind = FrameKind::Drive}).count(), 3U) << "no Measured: all";
+}
+
+TEST(Currents, ofAnOlderFrameReadAsBefore)
+{
+    CanFrame frame{.id = 0x025, .length = 8};  // of docs/can_demo.log, which version 3 wrote
+    frame.data = {0x9A, 0x31, 0x00, 0x40, 0x06, 0xA4, 0x06, 0x01};
+    const Unpacked content = contentOf(frame);
+    EXPECT_NEAR(content.values[0], 1.6, 1e-9);
+    EXPECT_NEAR(content.values[1], 1.7, 1e-9);
+    EXPECT_EQ(measuredSignals(content).to_string(), "0011111");
+    EXPECT_EQ(pack(content), frame) << "byte for byte";
 }
 
 TEST(SensorLine, isNeverMadeOfTwoLines)

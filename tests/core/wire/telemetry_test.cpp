@@ -226,7 +226,7 @@ TEST_F(Wire, makesNoMeasurementWithoutAPose)
 TEST_F(Wire, namesMissingCurrentsAndForces)
 {
     SensorLine line = sensorLineOf(everythingMeasured(), robot);
-    line.rearCurrents.reset();
+    line.rearCurrents = {};
     line.voltages[1].reset();  // elements 4 to 6 of both arrays
     line.voltages[3].reset();
     const auto got = measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0);
@@ -236,6 +236,18 @@ TEST_F(Wire, namesMissingCurrentsAndForces)
     EXPECT_FALSE(s.rearCurrent || s.force[3] || s.force[4] || s.force[5]);
     EXPECT_EQ(got->missing, missingFeatures(s));
     EXPECT_EQ(overTheWire(*got)->missing, got->missing) << "as a robot sends it on";
+}
+
+TEST_F(Wire, carriesTheCurrentOfOneMotor)
+{
+    Measurement sent = everythingMeasured();
+    setCurrents(sent, {std::nullopt, 1.7, -0.4, std::nullopt});
+    const auto got = overTheWire(sent);
+    ASSERT_TRUE(got);
+    EXPECT_EQ(got->missingMotors, sent.missingMotors);
+    EXPECT_EQ(got->missing, sent.missing);
+    EXPECT_NEAR(proprioception(*got).frontCurrent.value(), 1.7, 0.51e-3);
+    EXPECT_NEAR(proprioception(*got).rearCurrent.value(), -0.4, 0.51e-3);
 }
 
 TEST_F(Wire, usesTheOtherSideOfABrokenElement)

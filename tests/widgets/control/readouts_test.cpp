@@ -118,6 +118,16 @@ TEST(Readout, theAgeIsShownBesideStaleValues)
     EXPECT_EQ(readout.text(RobotReadout::RearCurrents), "--") << "it never came";
 }
 
+TEST(Readout, aMissingCurrentOfOneMotorIsNotShown)
+{
+    RobotReadout readout;
+    Measurement m;
+    setCurrents(m, {std::nullopt, 1.7, 0.5, 0.5});
+    readout.setMeasurement(m, 0.02);
+    EXPECT_EQ(readout.text(RobotReadout::FrontCurrents), "L -- A   R +1.70 A");
+    EXPECT_EQ(readout.text(RobotReadout::RearCurrents), "L +0.50 A   R +0.50 A");
+}
+
 TEST(Readout, staleValuesAreNotShown)
 {
     RobotReadout readout;

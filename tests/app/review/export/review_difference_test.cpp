@@ -34,6 +34,15 @@ TEST(ReviewDifference, hasBothSidesWhereTheyChangedByOtherAmounts)
     EXPECT_EQ(numbersCsv({}).section('\n', 1, 1).count(','), csv.section('\n', 0, 0).count(','));
 }
 
+TEST(ReviewDifference, aMissingCurrentIsAnEmptyNumber)
+{
+    ReviewMoment moment{.measurement = Measurement{}};
+    setCurrents(*moment.measurement, {std::nullopt, 2.0, 1.0, 3.0});
+    const QString csv = numbersCsv(moment);
+    EXPECT_EQ(csv.section('\n', 0, 0).section(',', 8, 8), "front_left_a");
+    EXPECT_EQ(csv.section('\n', 1, 1).section(',', 8, 11), ",2,1,3");
+}
+
 TEST_F(ReviewOf, twoCursorsLoopAndShowTheDifference)
 {
     record();
