@@ -149,6 +149,8 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
     viewState.secondsInPhase = exploration.secondsInPhase();
     viewState.proposal = pointer(exploration.proposal());
     if (!viewState.proposal) viewState.bestProbe = exploration.bestProbe();
+    if (!viewState.proposal && !viewState.bestProbe)
+        viewState.whyNoBestProbe = translated(exploration.whyNoBestProbe());
     viewState.whyNotOffered = translated(exploration.whyNotOffered().value_or(Message()));
     viewState.probingPlace = exploration.probingPlace();
     viewState.probeSeconds = exploration.options().probeSeconds;

@@ -34,8 +34,8 @@ void MainWindow::askProbe()
         exploration_->askProbe(*selected);
     else if (best)
         exploration_->askProbe({best->bin, best->side});
-    else if (const auto why = exploration_->whyNotOffered())
-        log(*why, EventSeverity::Warning);
+    else if (const Message why = exploration_->whyNoBestProbe(); !why.empty())
+        log(why, EventSeverity::Warning);
     else
         log(TR_NOOP("terratact::MainWindow", "no bin is selected: point at a bin first"),
             EventSeverity::Warning);

@@ -7,6 +7,7 @@
 #include "app/display/translated.h"
 #include "app/mission/memory_text.h"
 #include "app/mission/text/place_text.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/estimate_text.h"
 

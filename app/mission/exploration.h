@@ -123,6 +123,8 @@ public:
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
     /// Returns the best probe for the present estimate, proposed or not; empty: its gain is unknown.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
+    /// Returns why bestProbe() returns empty; empty without an estimate.
+    Message whyNoBestProbe() const { return probes_.whyNoBest(); }
     /// Returns why the best probe is not proposed. Empty if it is proposed, was done or was not answered in time. Also
     /// empty if it would be proposed, but commands cannot be sent.
     std::optional<Message> whyNotOffered() const;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/mission/preconditions.h"
 #include "core/atem/probe/arm_choice.h"
 #include "core/atem/probe/probe_grounds.h"
 
@@ -90,6 +91,15 @@ std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
     return widest ? std::optional(describeProbe(basis, *widest)) : std::nullopt;
 }
 
+Message whyNoBestProbe(const ProbeBasis& basis)
+{
+    if (!(basis.robot.armSd > 0.0))
+        return TR_NOOP("ProbeProposals", "no probe: the arm measures no height");
+    if (basis.advice.stepLimit <= 0.0)
+        return TR_NOOP("ProbeProposals", "the gain of a probe is being computed");
+    return TR_NOOP("ProbeProposals", "no probe: no bin in reach is left");
+}
+
 ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
                                double seconds, const ProbePolicy& policy)
     : estimation_(estimation), robot_(robot), seconds_(seconds), policy_(policy)
@@ -110,6 +120,13 @@ std::optional<ProbeProposal> ProbeProposals::best() const
 {
     if (!estimation_.estimate() || estimation_.wasPitchSuspected()) return std::nullopt;
     return bestProbe(basis());
+}
+
+Message ProbeProposals::whyNoBest() const
+{
+    if (!estimation_.estimate()) return {};
+    if (estimation_.wasPitchSuspected()) return Preconditions::pitchSuspected().text;
+    return whyNoBestProbe(basis());
 }
 
 void ProbeProposals::propose(ProbePlace place)

@@ -6,6 +6,7 @@
 #include "app/mission/estimation.h"
 #include "core/atem/probe/probe_policy.h"
 #include "core/atem/probe/probe_proposal.h"
+#include "core/base/message.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -22,6 +23,8 @@ ProbeProposal describeProbe(const ProbeBasis& basis, ProbePlace place);  ///< th
 /// Returns the place with the largest expected gain, whether or not it is proposed. Without a ranking it is the unread
 /// place in reach with the largest sd. Empty: no place is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
+/// Returns why bestProbe() returns empty for this basis.
+Message whyNoBestProbe(const ProbeBasis& basis);
 
 /// Makes the probe proposals, one at a time, each with its own id. A proposal has the bin's estimate, the gain of
 /// probing it, and the gains of other bins.
@@ -37,6 +40,8 @@ public:
 
     /// Returns bestProbe() of the present estimate; empty without one, or if its pitch was suspected.
     std::optional<ProbeProposal> best() const;
+    /// Returns why best() returns empty; empty without an estimate.
+    Message whyNoBest() const;
 
     /// Proposes a place of the present estimate, which must exist; replaces the last proposal. One plane has places
     /// only in the middle, two sides have none there. A place that the estimate lacks is replaced by the

@@ -107,6 +107,7 @@ struct TerrainViewState {
     const ProbeProposal* proposal = nullptr;
     /// Without a proposal: the best probe and its worth.
     std::optional<ProbeProposal> bestProbe{};
+    QString whyNoBestProbe{};  ///< without a proposal: reason that there is no bestProbe
     /// Reason that bestProbe is not proposed; empty: it was, or is elsewhere.
     QString whyNotOffered{};
     std::optional<ProbePlace> probingPlace{};  ///< where the arm probes now

@@ -33,6 +33,12 @@ QString followedProbe(const AtemState& state)
     return TerrainPage::tr("Following: probes are approved on the commanding console.");
 }
 
+/// Returns true if a verdict is CANNOT TELL, that of the robot or of a side.
+bool isOpen(const TerrainViewState& viewState)
+{
+    return viewState.verdict && hasCannotTell(*viewState.verdict);
+}
+
 /// Returns true if a probe's worth is known, nothing is proposed and nothing is running.
 bool isAtRest(const TerrainViewState& viewState)
 {
@@ -393,17 +399,20 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
                                                                 : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = probeGainText(*proposal);
+    else if (!proposal && isOpen(viewState))
+        probe = viewState.whyNoBestProbe;
     verdict_->setVerdict(*viewState.verdict, probe);
     terrain_->setFullSide(decidingSide(*viewState.verdict));
 }
 
-/// Shows the probe to request whenever the verdict is CANNOT TELL: bin, expected gain and button.
+/// Offers a probe whenever a verdict is CANNOT TELL: bin, expected gain and button.
 void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
-    const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
-    if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
-    const ProbeProposal& best = *viewState.bestProbe;
-    atem_->setProbeToAsk(ProbePlace{best.bin, best.side}, probeGainText(best));
+    if (!isOpen(viewState)) return atem_->setProbeToAsk(std::nullopt);
+    const auto& best = viewState.bestProbe;
+    atem_->setProbeToAsk(
+        best ? ProbeToAsk{.place = ProbePlace{best->bin, best->side}, .text = probeGainText(*best)}
+             : ProbeToAsk{.place = {}, .text = viewState.whyNoBestProbe});
 }
 
 void TerrainPage::showProbe(const TerrainViewState& viewState)
@@ -411,10 +420,8 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
     // Proposals and motion are shown in every layout.
     const bool needed = asking || viewState.probingPlace;
-    const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
-    probe_->setVisible(
-        ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
-        || needed);
+    const bool tells = isOpen(viewState) && isAtRest(viewState);
+    probe_->setVisible(((layout_->layout() == Layout::Probe || tells) && !isTight()) || needed);
     layout_->setProposes(needed);
     // With a large font the proposal takes the room; the robot stands still meanwhile.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());

@@ -165,9 +165,10 @@ void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& 
         if (moment.state.phase == AtemPhase::Probing)
             viewState.probingPlace = ProbePlace{row->bin, row->side};
     } else if (moment.estimate) {
-        viewState.bestProbe =
-            bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,
-                       ProbeProposal{}.seconds, policy});
+        const ProbeBasis basis{moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)),
+                               robot_, ProbeProposal{}.seconds, policy};
+        viewState.bestProbe = bestProbe(basis);
+        if (!viewState.bestProbe) viewState.whyNoBestProbe = translated(whyNoBestProbe(basis));
     }
 }
 

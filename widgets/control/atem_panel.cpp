@@ -116,15 +116,15 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     texts_->column()->addWidget(subject_);
     texts_->column()->addLayout(list_);
     texts_->column()->addStretch(1);
-    auto* others = new QHBoxLayout;
-    others->setSpacing(8);
+    others_ = new QHBoxLayout;
+    others_->setSpacing(8);
     for (QPushButton* button :
          std::initializer_list<QPushButton*>{override_, abort_, ask_, release_})
-        others->addWidget(button, 1);
+        others_->addWidget(button, 1);
     buttons_ = new QHBoxLayout;
     buttons_->setSpacing(8);
     buttons_->addWidget(request_, 1);
-    buttons_->addLayout(others, 1);
+    buttons_->addLayout(others_, 1);
     parts_ = new QVBoxLayout;
     parts_->setSpacing(kSpacing);
     parts_->addWidget(texts_, 1);
@@ -139,7 +139,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
             emit aborted();
     });
     connect(ask_, &QPushButton::clicked, this, [this] {
-        if (askPlace_) emit probeWanted(*askPlace_);
+        if (probe_ && probe_->place) emit probeWanted(*probe_->place);
     });
     connect(release_, &HoldToConfirmButton::confirmed, this, &AtemPanel::stopReleased);
     setState({}, std::nullopt);
@@ -288,11 +288,10 @@ void AtemPanel::setHasResult(bool hasResult)
     if (std::exchange(hasResult_, hasResult) != hasResult) showButtons();
 }
 
-void AtemPanel::setProbeToAsk(std::optional<ProbePlace> place, const QString& gain)
+void AtemPanel::setProbeToAsk(const std::optional<ProbeToAsk>& probe)
 {
-    if (place == askPlace_ && gain == askGain_) return;
-    askPlace_ = place;
-    askGain_ = gain;
+    if (probe == probe_) return;
+    probe_ = probe;
     showButtons();
 }
 
@@ -360,12 +359,18 @@ int AtemPanel::leastHeight() const
 /// Puts the buttons side by side if their words fit.
 void AtemPanel::placeButtons()
 {
-    int width = body()->contentsMargins().left() + body()->contentsMargins().right();
-    for (const QPushButton* button :
-         std::initializer_list<QPushButton*>{request_, override_, abort_, ask_})
-        if (!button->isHidden()) width += button->sizeHint().width() + buttons_->spacing();
-    const bool fits = width - buttons_->spacing() <= this->width();
-    buttons_->setDirection(stacks_ || !fits ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    const QMargins margins = body()->contentsMargins();
+    const int room = width() - margins.left() - margins.right();
+    const auto place = [room](QBoxLayout& row, std::initializer_list<const QPushButton*> buttons,
+                              bool stacks) {
+        int needed = -row.spacing();
+        for (const QPushButton* button : buttons)
+            if (!button->isHidden()) needed += button->sizeHint().width() + row.spacing();
+        row.setDirection(stacks || needed > room ? QBoxLayout::TopToBottom
+                                                 : QBoxLayout::LeftToRight);
+    };
+    place(*others_, {override_, abort_, ask_, release_}, false);
+    place(*buttons_, {request_, override_, abort_, ask_}, stacks_);
 }
 
 void AtemPanel::resizeEvent(QResizeEvent* event)
@@ -384,53 +389,59 @@ void AtemPanel::showButtons()
         }
         return;
     }
-    QStringList missing, doubtful;
     const QList<Precondition>& needs = needs_[indexOf(Commanded::Explore)];
-    for (const Precondition& condition : needs) {
-        if (condition.level == Precondition::Level::Missing) missing << translated(condition.text);
-        if (condition.level == Precondition::Level::Doubtful)
-            doubtful << translated(condition.text);
-    }
+    const Precondition::Level worst = worstOf(needs);
+    const bool isMissing = worst == Precondition::Level::Missing;
+    const bool isDoubtful = worst == Precondition::Level::Doubtful;
     const bool busy = exploring(state_.phase);
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
                     || (!busy && hasResult_);
 
-    const bool asks = askPlace_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
+    const bool asks = probe_ && !busy;
     abort_->setVisible(!stopped && !asks);
     ask_->setVisible(asks);
     release_->setVisible(stopped);
-    request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
-    const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
+    request_->setEnabled(!busy && !stopped && !isMissing && !isDoubtful);
+    const bool overrides = !busy && !stopped && isDoubtful;
     override_->setVisible(overrides);
     // A narrow panel keeps its buttons in one row, so that none of its lines must go.
     request_->setVisible(!stopped && !(narrow_ && (busy || overrides)));
     stacks_ = overrides;
-    placeButtons();
-    QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
+    QString whyNot;
     if (busy && !state_.followed)
-        tip = translated(kAlreadyExploring);
-    else if (!missing.isEmpty())
-        tip = tr("Not possible now:");
-    else if (!doubtful.isEmpty())
-        tip = tr("Doubtful, override it first (O):");
-    setTip(*request_, tip + QLatin1Char('\n') + linesOf(needs));
+        whyNot = translated(kAlreadyExploring);
+    else if (isMissing)
+        whyNot = tr("Not possible now:");
+    else if (isDoubtful)
+        whyNot = tr("Doubtful, override it first (O):");
+    const QString what =
+        tr("Halts the robot, presses the front flippers down and estimates the terrain");
+    setTip(*request_, (whyNot.isEmpty() ? what : whyNot) + QLatin1Char('\n') + linesOf(needs));
     const bool clears =
         ended || state_.followed;  // a followed exploration cannot be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
-    if (asks) {
-        ask_->setText(tr("Probe %1 (B)").arg(sidePlace(*askPlace_)));
-        ask_->setEnabled(missing.isEmpty());
-        setTip(*ask_,
-               (missing.isEmpty() ? tr("The robot presses again, then the probe is proposed. The "
-                                       "arm moves only after your approval")
-                                  : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
-                   + QLatin1Char('\n') + askGain_);
-    }
+    if (asks) showProbe(whyNot + QLatin1Char('\n') + linesOf(needs));
     setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
                     : clears             ? tr("Hides the result; Ctrl+Z restores it")
                                          : tr("Halts the robot and ends the exploration"));
+    placeButtons();
+}
+
+/// Shows the button of probe_, which can be pressed where request_ can. whyNot: why request_ cannot be.
+void AtemPanel::showProbe(const QString& whyNot)
+{
+    const bool possible = probe_->place && request_->isEnabled();
+    ask_->setEnabled(possible);
+    ask_->setText(possible ? tr("Probe %1 (B)").arg(sidePlace(*probe_->place)) : tr("Probe (B)"));
+    QString tip;
+    if (possible)
+        tip = tr("The robot presses again, then the probe is proposed. The arm moves only after "
+                 "your approval");
+    else if (probe_->place)
+        tip = whyNot;
+    setTip(*ask_, (tip + QLatin1Char('\n') + probe_->text).trimmed());
 }
 
 }  // namespace terratact

@@ -19,6 +19,13 @@ class HoldToConfirmButton;
 class PreconditionGrid;
 class ScrollColumn;
 
+/// A probe for which the operator may ask.
+struct ProbeToAsk {
+    std::optional<ProbePlace> place{};  ///< empty: there is no place to probe
+    QString text{};                     ///< expected gain, or why there is no place
+    bool operator==(const ProbeToAsk&) const = default;
+};
+
 /// The operator's panel of an exploration. It shows the state with the time left, and the preconditions. Its buttons
 /// request it, abort it or release STOP.
 ///
@@ -45,9 +52,10 @@ public:
     /// Sets whether the screen shows an estimate that can be cleared, in any state.
     void setHasResult(bool hasResult);
 
-    /// Sets the place for which the operator may now request a probe, and the text of its expected gain; empty: none.
-    /// Its button replaces the one that clears the estimate.
-    void setProbeToAsk(std::optional<ProbePlace> place, const QString& gain);
+    /// Offers to request a probe; empty: no offer. Its button replaces the one that clears the estimate. Where the
+    /// probe is not possible now, the button is disabled and its tip gives the reason. While an exploration runs, the
+    /// button is hidden: the probe card then has the proposal.
+    void setProbeToAsk(const std::optional<ProbeToAsk>& probe);
 
     /// Makes the panel display-only: no button is visible.
     void forbidCommands();
@@ -60,6 +68,7 @@ public:
     QPushButton* abortButton() const { return abort_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
+    QPushButton* probeButton() const { return ask_; }
     /// Returns the button whose menu looks up the preconditions of a command.
     QPushButton* needsButton() const { return needsButton_; }
 
@@ -79,6 +88,7 @@ private:
     QString idleText(const QString& ready) const;
     void showList();
     void showButtons();
+    void showProbe(const QString& whyNot);
     void placeButtons();
     bool forgets() const;
     void arrange();
@@ -104,11 +114,11 @@ private:
     ScrollColumn* texts_ = nullptr;
     QBoxLayout* parts_ = nullptr;    ///< texts beside buttons
     QBoxLayout* buttons_ = nullptr;  ///< request button beside the others
+    QBoxLayout* others_ = nullptr;   ///< below each other if their words do not fit
     QPushButton* request_ = nullptr;
     QPushButton* abort_ = nullptr;  ///< aborts an exploration, or clears its result
     QPushButton* ask_ = nullptr;
-    std::optional<ProbePlace> askPlace_;
-    QString askGain_;
+    std::optional<ProbeToAsk> probe_;
     QPushButton* override_ = nullptr;
     HoldToConfirmButton* release_ = nullptr;
 };

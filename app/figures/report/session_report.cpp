@@ -15,6 +15,7 @@
 #include "app/recording/what_if.h"
 #include "core/base/text.h"
 #include "core/infer/estimate/provenance.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/log/event_text.h"
 #include "core/robot/side_plane.h"

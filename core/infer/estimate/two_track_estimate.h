@@ -2,7 +2,9 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/robot/probe_side.h"
 
@@ -32,5 +34,10 @@ inline TwoTrackEstimate equalSides(TerrainEstimate plane)
     estimate.side[1] = estimate.side[0];
     return estimate;
 }
+
+/// Returns the sentences of both sides. A sentence that both have stays as it is. "left: …" or
+/// "right: …" precedes one of a single side. Sentences of the left side come first.
+std::vector<Message> ofBothSides(const std::vector<Message>& left,
+                                 const std::vector<Message>& right);
 
 }  // namespace terratact

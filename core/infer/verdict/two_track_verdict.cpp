@@ -183,6 +183,12 @@ bool isWithheld(const TwoTrackVerdict& verdict)
                                [](const Verdict& side) { return !side.withheldFor.empty(); });
 }
 
+bool hasCannotTell(const TwoTrackVerdict& verdict)
+{
+    return verdict.both == StepVerdict::CannotTell
+        || std::ranges::count(verdict.side, StepVerdict::CannotTell, &Verdict::stepVerdict) > 0;
+}
+
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
                           const TwoTrackReadings& s, double limit, const LinkSinceScene& since)
 {
@@ -249,22 +255,6 @@ Message messageOf(const TwoTrackVerdict& verdict)
 std::string describe(const TwoTrackVerdict& verdict)
 {
     return messageOf(verdict).english();
-}
-
-std::vector<Message> ofBothSides(const std::vector<Message>& left,
-                                 const std::vector<Message>& right)
-{
-    const auto has = [](const std::vector<Message>& all, const Message& sentence) {
-        return std::ranges::find(all, sentence) != all.end();
-    };
-    std::vector<Message> sentences;
-    sentences.reserve(left.size() + right.size());
-    for (const Message& sentence : left)
-        sentences.push_back(has(right, sentence) ? sentence
-                                                 : Message(TR_NOOP("core", "left: %1"), sentence));
-    for (const Message& sentence : right)
-        if (!has(left, sentence)) sentences.emplace_back(TR_NOOP("core", "right: %1"), sentence);
-    return sentences;
 }
 
 }  // namespace terratact

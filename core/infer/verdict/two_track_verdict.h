@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 #include "core/base/message.h"
 #include "core/infer/estimate/two_track_estimate.h"
@@ -65,6 +64,9 @@ const StepProbability& answeredBy(const TwoTrackVerdict& verdict);
 /// Returns true if a side's verdict is withheld.
 bool isWithheld(const TwoTrackVerdict& verdict);
 
+/// Returns true if the answer for the robot or that of a side is CannotTell.
+bool hasCannotTell(const TwoTrackVerdict& verdict);
+
 /// Decides for a scene of two tracks by the rules of verdictOf(). Roll and different flippers are no
 /// reason to withhold: both sides are estimated. limit: [m]. Throws as verdictOf().
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
@@ -86,10 +88,5 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 Message messageOf(const TwoTrackVerdict& verdict);
 /// Returns messageOf() in English.
 std::string describe(const TwoTrackVerdict& verdict);
-
-/// Returns the sentences of both sides. A sentence that both have stays as it is. "left: …" or
-/// "right: …" precedes one of a single side. Sentences of the left side come first.
-std::vector<Message> ofBothSides(const std::vector<Message>& left,
-                                 const std::vector<Message>& right);
 
 }  // namespace terratact

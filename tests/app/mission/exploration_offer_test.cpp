@@ -25,6 +25,7 @@ TEST_F(Bench, estimateKeepsItsProbeAdviceAfterStop)
     QCoreApplication::processEvents();
     ASSERT_TRUE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->bestProbe()) << "not told yet";
+    EXPECT_TRUE(mentions(exploration->whyNoBestProbe(), "being computed"));
     exploration->stop();
     tick();
     EXPECT_EQ(phase(), AtemPhase::Stopped);

@@ -58,6 +58,7 @@ TEST_F(Bench, aSuspectedPitchWithholdsTheProbe)
     EXPECT_FALSE(exploration->proposal());
     EXPECT_FALSE(exploration->bestProbe()) << "no button may offer it either";
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "the pitch may be wrong"));
+    EXPECT_TRUE(mentions(exploration->whyNoBestProbe(), "the pitch may be wrong"));
     exploration->askProbe({kBin06});
     EXPECT_EQ(phase(), AtemPhase::Presenting);
     EXPECT_TRUE(events.last().contains("the pitch may be wrong"));

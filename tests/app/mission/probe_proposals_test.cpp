@@ -7,6 +7,33 @@
 namespace terratact {
 namespace {
 
+TEST(BestProbe, saysWhyThereIsNone)
+{
+    TwoTrackEstimate estimate = equalSides(stepEstimate());
+    ProbeAdvice advice;
+    RobotModel robot;
+    robot.armReachBegin = 0.35;
+    robot.armReachEnd = 0.75;
+    const ProbeBasis basis{estimate, advice, robot, 45.0, ProbePolicy::Variance};
+    const auto why = [&basis] {
+        return bestProbe(basis) ? std::string() : whyNoBestProbe(basis).english();
+    };
+    robot.armSd = 0.0;
+    EXPECT_EQ(why(), "no probe: the arm measures no height");
+    robot.armSd = 0.03;
+    EXPECT_EQ(why(), "the gain of a probe is being computed");
+    advice.stepLimit = kStepLimit;
+    EXPECT_EQ(why(), "") << "there is one";
+    for (TerrainEstimate& side : estimate.side) side.origin.fill(Origin::Arm);
+    EXPECT_EQ(why(), "no probe: no bin in reach is left");
+}
+
+TEST_F(Bench, withoutAnEstimateNoBestProbeNeedsAReason)
+{
+    EXPECT_FALSE(exploration->bestProbe());
+    EXPECT_TRUE(exploration->whyNoBestProbe().empty());
+}
+
 TEST_F(Bench, anAnswerToAnotherProposalIsIgnored)
 {
     propose();

@@ -18,6 +18,7 @@
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/base/tips.h"
 #include "widgets/control/drive_strip.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/terrain/readings/estimate_strip.h"
@@ -213,6 +214,37 @@ TEST(TerrainPageAlone, showsTheCrossSlopeOfBothSidesFromBehind)
     estimate.onePlane = true;
     page.setViewState(viewState);
     EXPECT_FALSE(page.rearView()->text().contains("cross slope"));
+}
+
+TEST(TerrainPageAlone, offersAProbeWhereverASideCannotTell)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m = rolled();
+    const TwoTrackEstimate estimate = leftStepEstimate();
+    TerrainViewState viewState;
+    viewState.measurement = viewState.scene = &m;
+    viewState.estimate = {&estimate, 1};
+    viewState.verdict = equalSides(Verdict{});
+    viewState.verdict->onePlane = false;
+    viewState.verdict->both = viewState.verdict->side[0].stepVerdict = StepVerdict::Blocked;
+    viewState.whyNoBestProbe = "no bin in reach is left";
+    const QPushButton& button = *page.atemPanel()->probeButton();
+    const auto offers = [&](const QString& why) {
+        page.setViewState(viewState);
+        return !button.isHidden() && !button.isEnabled() && tipOf(button).contains(why);
+    };
+    EXPECT_TRUE(offers("no bin in reach is left")) << tipOf(button).toStdString();
+    EXPECT_TRUE(page.verdict()->reason().contains("no bin in reach is left"))
+        << page.verdict()->reason().toStdString();
+    viewState.whyNoBestProbe.clear();
+    viewState.bestProbe.emplace().bin = 9;
+    viewState.preconditions << Precondition{Precondition::Level::Doubtful,
+                                            Message::verbatim("roll 7°")};
+    EXPECT_TRUE(offers("roll 7°")) << tipOf(button).toStdString();
+    viewState.verdict->side[1].stepVerdict = StepVerdict::Clear;
+    page.setViewState(viewState);
+    EXPECT_TRUE(button.isHidden()) << "each side is decided";
 }
 
 TEST(TerrainPageAlone, theTruthIsThatOfTheSideInFull)

@@ -24,9 +24,9 @@ inline QList<QPushButton*> commandButtons(const TerrainPage& page)
 {
     return {page.atemPanel()->requestButton(), page.atemPanel()->abortButton(),
             page.atemPanel()->releaseButton(), page.atemPanel()->overrideButton(),
-            page.probeCard()->approveButton(), page.probeCard()->refuseButton(),
-            page.drivePad()->forwardButton(),  page.drivePad()->backButton(),
-            page.drivePad()->feelButton()};
+            page.atemPanel()->probeButton(),   page.probeCard()->approveButton(),
+            page.probeCard()->refuseButton(),  page.drivePad()->forwardButton(),
+            page.drivePad()->backButton(),     page.drivePad()->feelButton()};
 }
 
 }  // namespace terratact

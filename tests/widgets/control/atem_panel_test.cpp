@@ -9,6 +9,7 @@
 
 #include "tests/support/gui.h"
 #include "widgets/base/held_button.h"
+#include "widgets/base/tips.h"
 
 namespace terratact {
 namespace {
@@ -222,6 +223,65 @@ TEST_F(Atem, releasingStopTakesAHold)
     EXPECT_TRUE(said.isEmpty());
     QTest::mousePress(panel.releaseButton(), Qt::LeftButton);
     EXPECT_TRUE(gui::eventually([this] { return said == QStringList{"release"}; }));
+}
+
+TEST_F(Atem, aProbeThatIsImpossibleNowIsDisabledAndSaysWhy)
+{
+    const ProbeToAsk probe{.place = ProbePlace{9}, .text = "0.93 → 0.20 bit"};
+    const QPushButton& button = *panel.probeButton();
+    const Precondition met{Level::Met, Message::verbatim("telemetry is live")};
+    panel.setPreconditions({met});
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    EXPECT_FALSE(button.isVisible()) << "nothing is offered";
+    const auto offers = [&](const QString& reason) {
+        return button.isVisible() && !button.isEnabled() && tipOf(button).contains(reason)
+            && tipOf(button).contains("0.93 → 0.20 bit");
+    };
+    panel.setProbeToAsk(probe);
+    EXPECT_TRUE(button.isVisible() && button.isEnabled());
+    EXPECT_TRUE(button.text().contains("Probe 0.6 m")) << button.text().toStdString();
+    panel.setPreconditions({met, {Level::Doubtful, Message::verbatim("roll 7°")}});
+    EXPECT_TRUE(offers("override it first")) << tipOf(button).toStdString();
+    EXPECT_TRUE(offers("roll 7°") && panel.overrideButton()->isVisible());
+    panel.setPreconditions({met, {Level::Missing, Message::verbatim("not armed")}});
+    EXPECT_TRUE(offers("not armed")) << tipOf(button).toStdString();
+    panel.setPreconditions({met, {Level::Missing, Message::verbatim("STOP is latched")}});
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(offers("STOP is latched") && panel.releaseButton()->isVisible());
+    panel.setState({.phase = AtemPhase::Presenting, .followed = true}, std::nullopt);
+    EXPECT_TRUE(offers("Not possible now")) << tipOf(button).toStdString();
+    panel.setState({.phase = AtemPhase::ProposingProbe}, std::nullopt);
+    EXPECT_FALSE(button.isVisible()) << "the probe card has the proposal";
+}
+
+TEST_F(Atem, noPlaceToProbeIsSaidOnADisabledButton)
+{
+    QSignalSpy wanted(&panel, &AtemPanel::probeWanted);
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")}});
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    panel.setProbeToAsk(ProbeToAsk{.place = {}, .text = "no bin in reach is left"});
+    EXPECT_TRUE(panel.probeButton()->isVisible() && !panel.probeButton()->isEnabled());
+    EXPECT_EQ(tipOf(*panel.probeButton()), "no bin in reach is left");
+    panel.setProbeToAsk(ProbeToAsk{.place = ProbePlace{9}, .text = {}});
+    QTest::mouseClick(panel.probeButton(), Qt::LeftButton);
+    ASSERT_EQ(wanted.size(), 1);
+    panel.setProbeToAsk(std::nullopt);
+    EXPECT_FALSE(panel.probeButton()->isVisible());
+    EXPECT_TRUE(panel.abortButton()->isVisible());
+}
+
+TEST_F(Atem, noButtonIsCutBesideADisabledProbe)
+{
+    panel.setProbeToAsk(ProbeToAsk{.place = ProbePlace{9}, .text = {}});
+    panel.setNarrow(true);
+    panel.setFixedWidth(281);
+    for (const AtemPhase phase : {AtemPhase::Presenting, AtemPhase::Stopped}) {
+        panel.setPreconditions({{Level::Doubtful, Message::verbatim("roll 7°")}});
+        panel.setState({.phase = phase}, std::nullopt);
+        EXPECT_TRUE(panel.probeButton()->isVisible());
+        EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }))
+            << static_cast<int>(phase);
+    }
 }
 
 TEST_F(Atem, hostileTimesLeaveItDrawn)

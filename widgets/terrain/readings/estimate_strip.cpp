@@ -15,7 +15,6 @@
 #include "app/display/place_text.h"
 #include "app/display/translated.h"
 #include "core/infer/estimate/two_track_estimate.h"
-#include "core/infer/verdict/two_track_verdict.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

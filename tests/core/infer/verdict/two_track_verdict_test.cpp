@@ -186,12 +186,16 @@ TEST(TwoTrackVerdict, ofALineIsThatOfItsReadings)
     EXPECT_EQ(verdictOf(bare, absolem(), line, {}, 0.1).either, (StepProbability{0.0, 1.0}));
 }
 
-TEST(OfBothSides, namesTheSideOfASentenceOfOne)
+TEST(TwoTrackVerdict, cannotTellOfASideOrOfTheRobotIsFound)
 {
-    const Message low = Message::verbatim("low"), high = Message::verbatim("high");
-    EXPECT_EQ(english(ofBothSides({low, high}, {high}), "; "), "left: low; high");
-    EXPECT_EQ(english(ofBothSides({low}, {high}), "; "), "left: low; right: high");
-    EXPECT_TRUE(ofBothSides({}, {}).empty());
+    TwoTrackVerdict verdict = verdictFor(estimateWith(kNever, kNever));
+    ASSERT_EQ(verdict.both, StepVerdict::Clear);
+    EXPECT_FALSE(hasCannotTell(verdict));
+    verdict.both = StepVerdict::CannotTell;
+    EXPECT_TRUE(hasCannotTell(verdict)) << "each side is clear";
+    verdict.both = StepVerdict::Blocked;
+    verdict.side[1].stepVerdict = StepVerdict::CannotTell;
+    EXPECT_TRUE(hasCannotTell(verdict)) << "the left side blocks";
 }
 
 }  // namespace
