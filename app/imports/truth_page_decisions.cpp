@@ -157,7 +157,7 @@ void TruthPage::askForExport()
     const QFileInfo file(QString::fromStdString(file_.path()));
     askForFile(*this,
                {.title = tr("Scenes to write"),
-                .start = file.dir().filePath(file.completeBaseName() + tr("_accepted.csv")),
+                .start = file.completeBaseName() + tr("_accepted.csv"),
                 .filter = tr("Scenes (*.csv)"),
                 .kind = FileWish::Kind::ToWrite},
                [this](const QString& path) { exportTo(path); });

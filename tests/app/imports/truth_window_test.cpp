@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollBar>
@@ -23,6 +25,7 @@
 #include "core/store/sqlite.h"
 #include "tests/support/gui.h"
 #include "tests/support/made_truth.h"
+#include "tests/support/own_documents.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/theme.h"
 
@@ -251,6 +254,19 @@ TEST_F(TruthBench, exportHasTheDecisionsAndOverwritesNothing)
         EXPECT_TRUE(page->stateLabel()->text().contains("exists already"));
         EXPECT_EQ(*readFile(taken, 1U << 30U), *before);
     }
+}
+
+TEST_F(TruthBench, exportIsProposedInTheDocumentsUnderAFreeName)
+{
+    const OwnDocuments documents(directory.file("home"));
+    const QString taken = documents.folder() + "/drive_accepted.csv";
+    ASSERT_TRUE(writeFileAtomically(taken.toStdString(), "another export"));
+    open();
+    page->exportButton()->click();
+    const auto* const dialog = page->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(dialog->directory().absolutePath(), documents.folder());
+    EXPECT_EQ(dialog->selectedFiles(), QStringList(documents.folder() + "/drive_accepted-2.csv"));
 }
 
 TEST_F(TruthBench, keyboardReachesEveryControl)
