@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "core/infer/trail_form.h"
 #include "core/learn/data/side_features.h"
 #include "core/robot/side_plane.h"
+#include "core/robot/watch/sensor.h"
 
 namespace terratact {
 
@@ -53,13 +55,38 @@ void warnBoth(TwoTrackEstimate& estimate, const Message& sentence)
     for (TerrainEstimate& side : estimate.side) side.warnings.push_back(sentence);
 }
 
+/// Warns about forces that one side lacks: the plane has those of the other side.
+void warnOfOneSide(TerrainEstimate& plane, const Measurement& line)
+{
+    const TwoTrackReadings s = twoTrackReadings(line);
+    const auto missingOf = [&](Side side) {
+        return missingFor(plane.settings.method, sideReadings(s, side));
+    };
+    const MissingFeatures left = missingOf(Side::Left), right = missingOf(Side::Right);
+    std::ranges::move(ofBothSides(oneSidedSentences(left, right), oneSidedSentences(right, left)),
+                      std::back_inserter(plane.warnings));
+}
+
+/// Warns of each current that only the other side of its axle measured.
+void warnOfMotors(TerrainEstimate& plane, const Measurement& line)
+{
+    if (!usesForces(plane.settings.method)) return;
+    for (std::size_t motor = 0; motor < kMotors; ++motor)
+        if (line.missingMotors[motor])
+            plane.warnings.emplace_back(
+                TR_NOOP("core", "the %1 was not measured: the other side counts for both"),
+                describe(sensorAt(indexOf(Sensor::FrontLeftCurrent) + motor)));
+}
+
 TwoTrackEstimate asOnePlane(const Measurement& line, std::span<const ArmReading> readings,
                             const RobotModel& robot, const Models& models, const Settings& settings,
                             const Watch& watch, const TrailHistory* history)
 {
     TerrainEstimate plane =
         estimateTerrain(proprioception(line), readings, robot, models, settings, watch, history);
+    warnOfOneSide(plane, line);
     warnIfNotPlanar(plane, line);
+    warnOfMotors(plane, line);
     return equalSides(std::move(plane));
 }
 

@@ -1251,6 +1251,21 @@
     </message>
 </context>
 <context>
+    <name>ProbeProposals</name>
+    <message>
+        <source>no probe: the arm measures no height</source>
+        <translation>bez sondy: rameno neměří výšku</translation>
+    </message>
+    <message>
+        <source>the gain of a probe is being computed</source>
+        <translation>zisk sondy se počítá</translation>
+    </message>
+    <message>
+        <source>no probe: no bin in reach is left</source>
+        <translation>bez sondy: v dosahu nezbývá žádný bod</translation>
+    </message>
+</context>
+<context>
     <name>RecordingDisplay</name>
     <message>
         <source>NOT RECORDED: %1</source>
@@ -6163,6 +6178,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>no text in UTF-8</source>
         <translation>soubor, který není textem v UTF-8</translation>
     </message>
+    <message>
+        <source>no force was measured: the other side&apos;s forces count for both</source>
+        <translation>nebyla změřena žádná síla: pro obě strany platí síly druhé strany</translation>
+    </message>
+    <message>
+        <source>the force of element %1 was not measured: the other side&apos;s counts for both</source>
+        <translation>síla prvku %1 nebyla změřena: pro obě strany platí síla druhé strany</translation>
+    </message>
+    <message>
+        <source>the %1 was not measured: the other side counts for both</source>
+        <translation>%1: nezměřeno, za obě strany platí druhá</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6722,6 +6749,10 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>Explore (A)</source>
         <translation>Prozkoumat (A)</translation>
+    </message>
+    <message>
+        <source>Probe (B)</source>
+        <translation>Sonda (B)</translation>
     </message>
 </context>
 <context>

@@ -1251,6 +1251,21 @@
     </message>
 </context>
 <context>
+    <name>ProbeProposals</name>
+    <message>
+        <source>no probe: the arm measures no height</source>
+        <translation>keine Sonde: der Arm misst keine Höhe</translation>
+    </message>
+    <message>
+        <source>the gain of a probe is being computed</source>
+        <translation>der Gewinn einer Sondierung wird berechnet</translation>
+    </message>
+    <message>
+        <source>no probe: no bin in reach is left</source>
+        <translation>keine Sonde: kein Feld in Reichweite ist übrig</translation>
+    </message>
+</context>
+<context>
     <name>RecordingDisplay</name>
     <message>
         <source>NOT RECORDED: %1</source>
@@ -6163,6 +6178,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>no text in UTF-8</source>
         <translation>kein Text in UTF-8</translation>
     </message>
+    <message>
+        <source>no force was measured: the other side&apos;s forces count for both</source>
+        <translation>es wurde keine Kraft gemessen: die Kräfte der anderen Seite gelten für beide</translation>
+    </message>
+    <message>
+        <source>the force of element %1 was not measured: the other side&apos;s counts for both</source>
+        <translation>die Kraft von Element %1 wurde nicht gemessen: die der anderen Seite gilt für beide</translation>
+    </message>
+    <message>
+        <source>the %1 was not measured: the other side counts for both</source>
+        <translation>%1 nicht gemessen: die andere Seite gilt für beide</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6722,6 +6749,10 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>Explore (A)</source>
         <translation>Erkunden (A)</translation>
+    </message>
+    <message>
+        <source>Probe (B)</source>
+        <translation>Sonde (B)</translation>
     </message>
 </context>
 <context>

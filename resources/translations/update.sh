@@ -12,8 +12,8 @@ lupdate=$(command -v /usr/lib/qt6/bin/lupdate || command -v lupdate-qt6 || comma
   echo "lupdate is missing: install qt6-l10n-tools" >&2
   exit 77
 }
-# lupdate 6.8 takes the base of an `enum class` for that of the next structure, and puts texts that follow into a wrong
-# context. It reads a copy without these bases.
+# lupdate 6.8 takes the base of an `enum class` for that of the next structure. It then puts later texts into a wrong
+# context. So it reads a copy without these bases.
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 cp -r core drivers widgets app "$copy"

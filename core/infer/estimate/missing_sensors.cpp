@@ -70,4 +70,18 @@ std::vector<Message> missingSentences(Method method, MissingFeatures missing, bo
     return sentences;
 }
 
+std::vector<Message> oneSidedSentences(MissingFeatures own, MissingFeatures other)
+{
+    if (allForces(other)) return {};
+    if (allForces(own))
+        return {TR_NOOP("core", "no force was measured: the other side's forces count for both")};
+    std::vector<Message> sentences;
+    for (std::size_t e = 0; e < std::size_t{kForceElements}; ++e)
+        if (own[kFirstForceFeature + e] && !other[kFirstForceFeature + e])
+            sentences.emplace_back(TR_NOOP("core", "the force of element %1 was not measured: the "
+                                                   "other side's counts for both"),
+                                   e + 1);
+    return sentences;
+}
+
 }  // namespace terratact

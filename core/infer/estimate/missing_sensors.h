@@ -23,4 +23,8 @@ Method methodWithout(Method method, MissingFeatures missing);
 /// empty if nothing is missing. usesArm: of usesEarlierArm() (core/infer/trail_form.h).
 std::vector<Message> missingSentences(Method method, MissingFeatures missing, bool usesArm);
 
+/// Returns the sentences for the forces that one side lacks and the other side has. An estimate of
+/// one plane takes the other side's for both. own, other: missing features of the sides.
+std::vector<Message> oneSidedSentences(MissingFeatures own, MissingFeatures other);
+
 }  // namespace terratact

@@ -214,6 +214,35 @@ TEST(EstimateMeasured, warnsWhereOnlyOnePlaneIsPossible)
               std::string::npos);
 }
 
+TEST(EstimateMeasured, aPlaneNamesTheSideThatLacksForces)
+{
+    const auto saysWithout = [](const SideForces& sides, const Settings& settings = {}) {
+        Measurement line = evenLine();
+        setSides(line, sides);
+        const TwoTrackEstimate plane = measured(line, {}, settings, false);
+        EXPECT_TRUE(plane.onePlane);
+        EXPECT_TRUE(plane.side[0].missing.none()) << "the other side has them";
+        return sentencesOf(plane);
+    };
+    SideForces sides = evenLine().sides;
+    EXPECT_EQ(saysWithout(sides).find("for both"), std::string::npos);
+    sides.right = {};
+    const std::string rightArray =
+        "right: no force was measured: the other side's forces count for both";
+    EXPECT_NE(saysWithout(sides).find(rightArray), std::string::npos) << saysWithout(sides);
+    EXPECT_NE(saysWithout(sides, {.method = Method::Pafc, .draws = 20}).find(rightArray),
+              std::string::npos);
+    EXPECT_EQ(saysWithout(sides, {.method = Method::Pac, .draws = 20}).find(rightArray),
+              std::string::npos)
+        << "it uses no forces";
+    sides.right = sides.left;
+    sides.left[2].reset();
+    EXPECT_NE(saysWithout(sides).find("left: the force of element 3 was not measured: the other "
+                                      "side's counts for both"),
+              std::string::npos)
+        << saysWithout(sides);
+}
+
 TEST(EstimateMeasured, clearanceEstimatesEachSideForItself)
 {
     const auto shipped = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
@@ -224,6 +253,38 @@ TEST(EstimateMeasured, clearanceEstimatesEachSideForItself)
     EXPECT_EQ(estimateMeasured(rolledLine(), {}, absolem(), trained, settings),
               estimateEachSide(twoTrackReadings(rolledLine()), {}, absolem(), trained, settings));
     EXPECT_TRUE(estimateMeasured(evenLine(), {}, absolem(), trained, settings).onePlane);
+}
+
+/// rolledLine() without the current of the front left motor.
+Measurement lineWithoutACurrent()
+{
+    TwoTrackReadings s = rolled().s;
+    s.currents[indexOf(Flipper::FrontLeft)].reset();
+    return measurementOf(s);
+}
+
+TEST(EstimateMeasured, aMissingCurrentIsOfItsSide)
+{
+    const TwoTrackEstimate estimate = measured(lineWithoutACurrent());
+    EXPECT_FALSE(estimate.onePlane);
+    EXPECT_TRUE(estimate.side[0].missing[kFrontCurrentFeature]);
+    EXPECT_TRUE(estimate.side[1].missing.none());
+    EXPECT_NE(sentencesOf(estimate).find("the front flippers' current was not measured"),
+              std::string::npos);
+}
+
+TEST(EstimateMeasured, aPlaneCountsTheCurrentOfOneMotor)
+{
+    const Measurement line = lineWithoutACurrent();
+    EXPECT_EQ(proprioception(line).frontCurrent, line.frontRightCurrent);
+    const TwoTrackEstimate estimate = measured(line, {}, {}, false);
+    EXPECT_TRUE(estimate.onePlane);
+    EXPECT_TRUE(estimate.side[0].missing.none());
+    EXPECT_NE(sentencesOf(estimate).find("the front left flipper current was not measured: the "
+                                         "other side counts for both"),
+              std::string::npos);
+    EXPECT_EQ(sentencesOf(measured(rolledLine(), {}, {}, false)).find("was not measured"),
+              std::string::npos);
 }
 
 TEST(EstimateMeasured, aReadingBetweenTheSidesCountsForNeither)

@@ -74,6 +74,21 @@ TEST(MissingSensors, onlyReadingsOfTheArmInUseAreNamed)
               "the memory of the way needs every current and force: this scene alone counts");
 }
 
+TEST(MissingSensors, forcesOfOneSideAreNamedOnce)
+{
+    const auto said = [](MissingFeatures own, MissingFeatures other) {
+        return english(oneSidedSentences(own, other), "; ");
+    };
+    EXPECT_EQ(said({}, {}), "");
+    EXPECT_EQ(said({}, kNoForces), "");
+    EXPECT_EQ(said(kNoForces, kNoForces), "") << "the plane has none";
+    EXPECT_EQ(said(kDead4, kDead4), "") << "the plane lacks it";
+    EXPECT_EQ(said(kNoForces, kDead4),
+              "no force was measured: the other side's forces count for both");
+    EXPECT_EQ(said(kDead4, {}),
+              "the force of element 4 was not measured: the other side's counts for both");
+}
+
 TEST(MissingSensors, nothingMissingIsTheModelItself)
 {
     const Scene& scene = bench().scenes[5];
