@@ -38,12 +38,20 @@ fit_registers() {
     [ "$(grep -c xstate_size arch/x86/um/os-Linux/registers.c)" = 5 ]
 }
 
+# The edges of simulated lines need interrupt numbers, which this kernel otherwise has only for simulated PCI devices.
+add_interrupts() {
+  local header=arch/um/include/asm/irq.h
+  sed -i -E 's/^(#define NR_IRQS\s+)UM_LAST_SIGNAL_IRQ$/\1(UM_LAST_SIGNAL_IRQ + 64)/' $header &&
+    [ "$(grep -c 'UM_LAST_SIGNAL_IRQ + 64' $header)" = 2 ]
+}
+
 build() {
   rm -rf "$kernel/source" &&
     mkdir -p "$kernel/source" &&
     tar -xf "$source" -C "$kernel/source" --strip-components=1 &&
     cd "$kernel/source" &&
     fit_registers &&
+    add_interrupts &&
     make ARCH=um tinyconfig &&
     scripts/kconfig/merge_config.sh -m .config "$config" &&
     make ARCH=um olddefconfig &&

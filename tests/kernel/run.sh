@@ -45,7 +45,7 @@ memory=$state
 
 status=0
 TMPDIR=$memory timeout --kill-after=5 "$seconds" "$linux" mem=512M uml_dir="$state/" umid=guest \
-  rootfstype=hostfs rootflags=/ rw init="$here/init.sh" terratact_state="$state" vcan.echo=1 \
+  root=host rootfstype=hostfs rootflags=/ rw init="$here/init.sh" terratact_state="$state" vcan.echo=1 \
   "${travel[@]}" quiet loglevel=1 panic=-1 con=null con0=null,fd:1 ssl=null </dev/null || status=$?
 if [ -s "$state/status" ]; then exit "$(cat "$state/status")"; fi
 if [ "$status" = 124 ] || [ "$status" = 137 ]; then
