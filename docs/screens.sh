@@ -38,8 +38,8 @@ build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
-TERRATACT_PICTURES="$all" build/release/tests/app.console.plots_page_test --gtest_filter='*fitInEvery*'
-TERRATACT_PICTURES="$all" build/release/tests/app.console.feel_forward_console_test --gtest_filter='StripConsole.*'
+TERRATACT_PICTURES="$all" build/release/tests/app.console.pages --gtest_filter='*fitInEvery*'
+TERRATACT_PICTURES="$all" build/release/tests/app.console.bus --gtest_filter='StripConsole.*'
 build/release/app/terratact session strip resources/sessions/feel_forward.tts --out "$all/strip_exported.png"
 for kind in level kerb diagonal slope hanging; do
   lines "$kind" >"$all/$kind.csv"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QRadioButton>
 #include <algorithm>
 #include <cstdint>
 #include <vector>

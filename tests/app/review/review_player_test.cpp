@@ -90,7 +90,7 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
               static_cast<int>(window->session().events().size()));
 }
 
-/// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review.review_window_test --gtest_filter=*Costs*
+/// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review --gtest_filter=*Costs*
 /// TERRATACT_REVIEW_PLOTS=1: on the page Plots.
 TEST_F(ReviewOf, playbackCostsLittle)
 {

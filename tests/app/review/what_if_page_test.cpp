@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QTableWidget>
 
 #include "app/mission/estimator_worker.h"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QRadioButton>
+
 #include "app/figures/report/strip_file.h"
 #include "app/recording/what_if.h"
 #include "app/review/export/review_export_dialog.h"
