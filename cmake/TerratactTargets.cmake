@@ -47,7 +47,8 @@ endfunction()
 #   10 to 40 s, so that two processors are busy.
 #   APART: sources that are joined separately, because they define a name that another source of their part defines,
 #   too. If the compiler reports a name defined twice, rename it or add the source to APART.
-# Sources with their own compile options are compiled alone anyway.
+# Sources with their own compile options are compiled alone anyway. TERRATACT_LEAVE_OUT is a pattern of sources that
+# nothing which the preset builds needs; else it does not link.
 function(terratact_library target)
   cmake_parse_arguments(library "" "" "PARTS;APART" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
@@ -62,6 +63,10 @@ function(terratact_library target)
     endforeach()
   endforeach()
   get_target_property(sources ${target} SOURCES)
+  if(TERRATACT_LEAVE_OUT)
+    list(FILTER sources EXCLUDE REGEX ${TERRATACT_LEAVE_OUT})
+    set_property(TARGET ${target} PROPERTY SOURCES ${sources})
+  endif()
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source NORMALIZE OUTPUT_VARIABLE path)
     cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
@@ -103,8 +108,8 @@ function(terratact_quick target)
   endif()
 endfunction()
 
-# Target tidy: runs clang-tidy with clang's warnings on every joined source, every source compiled alone, and every
-# header. clang-tidy takes its configuration from the folder of a source. For joined sources that is the build tree,
+# Target tidy: runs clang-tidy with clang's warnings on every joined source and every source compiled alone, with their
+# headers. clang-tidy takes its configuration from the folder of a source. For joined sources that is the build tree,
 # where the check against including sources is switched off.
 function(terratact_tidy)
   find_program(TERRATACT_CLANG_TIDY NAMES clang-tidy-21 clang-tidy-22 clang-tidy-23 clang-tidy REQUIRED)
@@ -116,7 +121,6 @@ function(terratact_tidy)
   add_custom_target(tidy VERBATIM
     COMMAND ${PROJECT_SOURCE_DIR}/cmake/tidy.sh ${PROJECT_BINARY_DIR} ${TERRATACT_CLANG_TIDY})
   terratact_check_headers()
-  add_dependencies(tidy headers)
 endfunction()
 
 # terratact_included(<header> <variable>)
