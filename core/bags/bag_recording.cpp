@@ -132,7 +132,7 @@ private:
         }
     }
 
-    void noIndex() { remark("has no index; it is read from its beginning"); }
+    void noIndex() { note("has no index; it is read from its beginning"); }
 
     /// Reads the header of a record and goes behind it.
     bool readHead(std::string& header)
@@ -155,7 +155,7 @@ private:
                             .encoding = "ros1",
                             .schemaEncoding = "ros1msg"};
         topic.schema = texts_.keep(topic.type, about.text("message_definition"));
-        if (!topic.schema) remark(topic.schema.error().text);
+        if (!topic.schema) note(topic.schema.error().text);
         if (about.text("message_definition").empty()) topic.schemaEncoding.clear();
         topicOf_[*id] = topics_.size();
         topics_.push_back(std::move(topic));

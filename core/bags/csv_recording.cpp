@@ -94,7 +94,7 @@ public:
         : Recording(path), reader_(std::move(reader)), columns_(std::move(columns)),
           timeColumn_(timeColumn), unit_(unit)
     {
-        if (!unitRemark.empty()) remark(std::move(unitRemark));
+        if (!unitRemark.empty()) note(std::move(unitRemark));
         topics_.push_back({.name = kCsvTopic, .type = "table", .encoding = kCsvEncoding});
     }
 
@@ -153,9 +153,9 @@ private:
                 units += (units.empty() ? "" : ", ") + shown(field);
         }
         if (units.empty()) return false;
-        remark(fmt::format("line {} holds no number but {}, and is left out; where these are "
-                           "units, the mapping must give them",
-                           reader_.line(), units));
+        note(fmt::format("line {} holds no number but {}, and is left out; where these are "
+                         "units, the mapping must give them",
+                         reader_.line(), units));
         return true;
     }
 

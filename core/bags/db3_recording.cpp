@@ -111,10 +111,10 @@ private:
             const std::string type = keptName(rows.text(0));
             const std::string text = rows.text(2);
             if (text.empty()) continue;  // its recorder did not find the definition
-            const auto kept = texts.keep(type, text);
-            all.insert_or_assign(
-                type, StoredDefinition{.encoding = keptName(rows.text(1)), .text = kept});
-            if (!kept) remark(kept.error().text);
+            const std::string encoding = keptName(rows.text(1));
+            const auto kept = texts.keep(type, text, encoding);
+            all.insert_or_assign(type, StoredDefinition{.encoding = encoding, .text = kept});
+            if (!kept) note(kept.error().text);
         }
         return all;
     }

@@ -60,8 +60,7 @@ public:
         const std::string_view text = in.text();
         if (!in.isValid() || schemas_.contains(id) || schemas_.size() >= kMaxEntries) return Done{};
         if (text.empty()) schema.encoding.clear();
-        const bool isDecoded = schema.encoding == "ros1msg" || schema.encoding == "ros2msg";
-        schema.text = texts_.keep(schema.name, isDecoded ? text : std::string_view());
+        schema.text = texts_.keep(schema.name, text, schema.encoding);
         const McapSchema& kept = schemas_.emplace(id, std::move(schema)).first->second;
         return kept.text ? Status(Done{}) : kept.text.error();
     }
@@ -151,7 +150,7 @@ private:
         if (!readSummary(summary)) chunks_.clear();
     }
 
-    void noIndex() { remark("has no index; it is read from its beginning"); }
+    void noIndex() { note("has no index; it is read from its beginning"); }
 
     bool readSummary(std::string_view summary)
     {
@@ -186,7 +185,7 @@ private:
     {
         if (op == McapOp::Schema) {
             const Status kept = channels_.addSchema(record);
-            if (!kept) remark(kept.error().text);
+            if (!kept) note(kept.error().text);
         }
         if (op == McapOp::Channel) channels_.addChannel(record);
         if (op == McapOp::Statistics) channels_.addStatistics(record);

@@ -12,6 +12,17 @@
 namespace terratact {
 namespace {
 
+/// Returns the error of a topic whose definition has another encoding than its messages need.
+Error otherEncoding(const RecordedTopic& topic, std::string_view wanted)
+{
+    return Error(fmt::format("its definition has the encoding {}, expected {}; {}",
+                             shown(topic.schemaEncoding), wanted,
+                             topic.schemaEncoding == "ros2idl"
+                                 ? "record it again where the .msg files of its package are "
+                                   "installed"
+                                 : "record or convert it with that"));
+}
+
 /// Returns the definition of a topic's messages: the file's own, else that of a common type.
 Result<std::string_view> messageDefinition(const RecordedTopic& topic, std::string_view wanted)
 {
@@ -20,14 +31,13 @@ Result<std::string_view> messageDefinition(const RecordedTopic& topic, std::stri
                      + ". Record fewer types in one file, or a type with a shorter definition");
     if (const auto& own = *topic.schema; own && !own->empty()) {
         if (topic.schemaEncoding == wanted) return std::string_view(*own);
-        return Error(fmt::format("its definition has the encoding {}, expected {}; record or "
-                                 "convert it with that",
-                                 shown(topic.schemaEncoding), wanted));
+        return otherEncoding(topic, wanted);
     }
     if (topic.type.empty())
         return Error("the file holds no definition for it; record it again with a newer "
                      "program");
     if (const std::string_view common = knownDefinition(topic.type); !common.empty()) return common;
+    if (!topic.schemaEncoding.empty()) return otherEncoding(topic, wanted);
     return Error(fmt::format("the file lacks the definition of {}; record it again "
                              "with a newer program, or as MCAP",
                              printable(topic.type)));

@@ -26,8 +26,8 @@ struct RecordedTopic {
     std::string type{};            ///< "sensor_msgs/Imu"
     std::string encoding{};        ///< of its messages: "ros1", "cdr", "json", "csv", …
     std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …; empty: no definition
-    /// Definition of the messages, which several topics may share. Null or empty: the file has none, or an
-    /// MCAP file has it in an encoding that is not read. Error: why the file's own one is left out.
+    /// Definition of the messages, which several topics may share. Null or empty: the file has none, or
+    /// has it in an encoding that is not read. Error: why the file's own one is left out.
     Result<std::shared_ptr<const std::string>> schema = std::shared_ptr<const std::string>();
     std::optional<std::uint64_t> messages{};  ///< their number, if the file's index says it
 };
@@ -36,8 +36,8 @@ struct RecordedTopic {
 class MessageDecoder {
 public:
     /// Errors state what was expected, without the topic: the encoding is unknown, or the definition is
-    /// missing, left out or cannot be parsed. A definition that the file lacks is replaced if its type is in
-    /// core/bags/known_messages.h. One that is left out is not replaced.
+    /// missing, left out or cannot be parsed. A definition that the file lacks, or has in an encoding that is
+    /// not read, is replaced if its type is in core/bags/known_messages.h. One that is left out is not replaced.
     static Result<MessageDecoder> of(const RecordedTopic& topic);
 
     /// Errors state the cause, without the topic.

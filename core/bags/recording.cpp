@@ -94,6 +94,12 @@ Result<bool> Recording::read(RecordedMessage& message)
 
 void Recording::remark(std::string text)
 {
+    if (damage_.empty()) damage_ = text;
+    note(std::move(text));
+}
+
+void Recording::note(std::string text)
+{
     constexpr std::size_t kMax = 20;  // one damaged file may have a fault in every chunk
     if (++remarked_ > kMax) return;
     remarks_.push_back(remarked_ < kMax ? std::move(text) : "more faults are not listed");
@@ -129,9 +135,9 @@ Result<MessageDecoder> Recording::newDecoder(const RecordedTopic& topic)
                                  printable(topic.type), kMaxParts)};
     parts_ += decoder->parts();
     if (decoder->parts() > 0 && hasUnreadDefinition(topic))
-        remark(fmt::format("the definition of {} has the encoding {}, which is not read; the "
-                           "shipped definition of this type was used",
-                           printable(topic.type), shown(topic.schemaEncoding)));
+        note(fmt::format("the definition of {} has the encoding {}, which is not read; the "
+                         "shipped definition of this type was used",
+                         printable(topic.type), shown(topic.schemaEncoding)));
     return decoder;
 }
 

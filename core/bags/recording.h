@@ -72,8 +72,11 @@ public:
 
     static constexpr std::size_t kMaxParts = 100'000;
 
-    /// Returns the sentences about damage since the last call, without the file's name.
+    /// Returns the sentences about damage, and about how the file was read, since the last call. They lack
+    /// the file's name.
     std::vector<std::string> consumeRemarks();
+    /// Returns the first sentence about damage so far; empty: none was found.
+    const std::string& damage() const { return damage_; }
 
 protected:
     static constexpr std::size_t kMaxTopics = 10'000;
@@ -83,7 +86,8 @@ protected:
         return !selected_ || selected_->contains(topic.name);
     }
     bool selectsAll() const { return !selected_; }
-    void remark(std::string text);
+    void remark(std::string text);  ///< of damage
+    void note(std::string text);    ///< of how the file is read, although it is whole
 
     std::vector<RecordedTopic> topics_;
 
@@ -91,6 +95,7 @@ private:
     std::string path_;
     RecordingWatch watch_;
     std::optional<std::set<std::string>> selected_;
+    std::string damage_;
     std::vector<std::string> remarks_;
     std::size_t remarked_ = 0;
     /// What a decoder depends on: type, encodings, and the definition or why it is left out. Many topics

@@ -24,4 +24,11 @@ Result<std::shared_ptr<const std::string>> SchemaTexts::keep(std::string_view ty
     return kept;
 }
 
+Result<std::shared_ptr<const std::string>>
+SchemaTexts::keep(std::string_view type, std::string_view text, std::string_view encoding)
+{
+    const bool isRead = encoding == "ros1msg" || encoding == "ros2msg";
+    return keep(type, isRead ? text : std::string_view());
+}
+
 }  // namespace terratact

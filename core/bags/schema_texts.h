@@ -21,6 +21,10 @@ public:
     /// Returns the text of a type's definition. Errors name the type: the text has more than
     /// MessageSchema::kMaxText bytes, or all texts would have more than kMaxBytes.
     Result<std::shared_ptr<const std::string>> keep(std::string_view type, std::string_view text);
+    /// The same for a text in this encoding. Returns an empty text if the encoding is not read: neither
+    /// ros1msg nor ros2msg.
+    Result<std::shared_ptr<const std::string>> keep(std::string_view type, std::string_view text,
+                                                    std::string_view encoding);
 
 private:
     /// By type and text, which is the kept one.

@@ -29,7 +29,7 @@ struct FieldReader {
     std::string field;
     Series* into = nullptr;
     std::optional<Quantity> word{};  ///< the field may be a text
-    std::uint64_t messages = 0, found = 0, notFinite = 0, texts = 0;
+    std::uint64_t found = 0, notFinite = 0, texts = 0;
 };
 
 class SeriesReader {
@@ -89,24 +89,23 @@ private:
         fields_.push_back(std::move(reader));
     }
 
-    /// Damage of the file is the likelier cause where it has any.
-    Error fault(const FieldSource& source, std::string_view cause)
+    /// Damage of the file is the likelier cause where nothing of the topic was read.
+    Error fault(const FieldSource& source, std::string_view cause) const
     {
-        for (const std::string& damage : recording_.consumeRemarks())
-            if (damage.find("has no index") == std::string::npos)
-                return fileError(
-                    recording_.path(),
-                    recording_.topics().empty()
-                        ? damage
-                              + ": no topic lies before that; copy or record it "
-                                "again"
-                        : fmt::format("{}; topic {}: {}", damage, printable(source.topic), cause));
+        const std::string& damage = recording_.damage();
+        const bool isDamaged = !damage.empty();
+        const std::string found = fmt::format("topic {}: {}", printable(source.topic), cause);
         if (recording_.topics().empty())
-            return fileError(recording_.path(), "holds no topic and no message: it is cut, or "
-                                                "nothing was recorded; copy or record it again");
+            return fileError(recording_.path(),
+                             (isDamaged ? damage + ": no topic lies before that"
+                                        : "holds no topic and no message: it is cut, or nothing "
+                                          "was recorded")
+                                 + "; copy or record it again");
+        if (isDamaged && decoding_.messages(source.topic) == 0)
+            return fileError(recording_.path(), fmt::format("{}; {}", damage, found));
         return fileError(recording_.path(),
-                         fmt::format("topic {}: {}; correct [{}] of the mapping",
-                                     printable(source.topic), cause, source.table));
+                         fmt::format("{}; correct [{}] of the mapping{}{}", found, source.table,
+                                     isDamaged ? "; the file is damaged, too: " : "", damage));
     }
 
     Status add(const RecordedMessage& message)
@@ -139,7 +138,6 @@ private:
 
     void addValue(FieldReader& reader, const FieldValue& message, std::int64_t time)
     {
-        ++reader.messages;
         const FieldSource& source = *reader.source;
         auto number = numberAt(message, reader.field);
         if (!number && reader.word)
@@ -220,9 +218,9 @@ private:
                                    [&](const RecordedTopic& topic) { return topic.name == name; });
     }
 
-    std::string missing(const FieldSource& source, const std::string& field,
-                        std::uint64_t messages) const
+    std::string missing(const FieldSource& source, const std::string& field) const
     {
+        const std::uint64_t messages = decoding_.messages(source.topic);
         if (!hasTopic(source.topic))
             return fmt::format("the file has no such topic; its topics are {}", topicList());
         if (messages == 0) return "the topic has no message";
@@ -253,19 +251,19 @@ private:
             const std::string cause =
                 reader.texts > 0 ? fmt::format("all {} values of {} are texts, expected numbers",
                                                reader.texts, shown(reader.field))
-                                 : missing(*reader.source, reader.field, reader.messages);
+                                 : missing(*reader.source, reader.field);
             if (isNeeded(reader)) return fault(*reader.source, cause);
             if (!reader.source->isOptional && reported.insert(reader.source).second)
                 remark(reader, cause + "; it counts as not measured");
         }
         if (mapping_.attitude && attitude_.empty())
             return fault(mapping_.attitude->source,
-                         missing(mapping_.attitude->source, mapping_.attitude->source.field, 1));
+                         missing(mapping_.attitude->source, mapping_.attitude->source.field));
         if (mapping_.odometry && mapping_.odometry->isTransform()) findOdometry();
         if (mapping_.odometry && !mapping_.odometry->isTransform() && odometry_.empty()
             && !mapping_.odometry->source.isOptional)
             remark(mapping_.odometry->source,
-                   missing(mapping_.odometry->source, mapping_.odometry->source.field, 1)
+                   missing(mapping_.odometry->source, mapping_.odometry->source.field)
                        + "; the way counts as not measured");
         for (const std::string& topic : unstamped_)
             series_.remarks.push_back(

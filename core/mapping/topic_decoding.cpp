@@ -10,6 +10,12 @@ void TopicDecoding::broken(const std::string& topic, const Error& error)
     if (counts.broken++ == 0) counts.first = error;
 }
 
+std::uint64_t TopicDecoding::messages(const std::string& topic) const
+{
+    const auto found = counts_.find(topic);
+    return found == counts_.end() ? 0 : found->second.decoded;
+}
+
 Status TopicDecoding::check(const std::string& path, std::vector<std::string>& remarks) const
 {
     for (const auto& [topic, counts] : counts_) {

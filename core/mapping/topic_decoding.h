@@ -15,6 +15,7 @@ class TopicDecoding {
 public:
     void decoded(const std::string& topic) { ++counts_[topic].decoded; }
     void broken(const std::string& topic, const Error& error);
+    std::uint64_t messages(const std::string& topic) const;  ///< that were decoded
 
     /// Returns the first error of a topic of which more messages are broken than decoded.
     /// Else adds a sentence to `remarks`, without the file's name, for each topic with broken ones.

@@ -96,6 +96,28 @@ TEST_F(Db3Files, definitionsInTheFileAreUsed)
     EXPECT_EQ(read(path), std::vector<std::string>{"/b 6 2.500000"});
 }
 
+TEST_F(Db3Files, anUnreadDefinitionIsThatOfACommonType)
+{
+    const std::string path = written(
+        tables()
+        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
+          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
+          "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'ros2idl', 'module "
+          "std_msgs', ''), (2, 'p/msg/T', 'ros2idl', 'module p', '');"
+        + message(1, 5, number(1.5)) + message(2, 6, number(2.5)));
+    const auto found = read(path);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0], "/a 5 1.500000");
+    EXPECT_NE(found[1].find("topic /b: its definition has the encoding 'ros2idl', expected "
+                            "ros2msg; record it again where the .msg files of its package are "
+                            "installed"),
+              std::string::npos)
+        << found[1];
+    EXPECT_EQ(remarks, std::vector<std::string>{
+                           "the definition of std_msgs/msg/Float64 has the encoding 'ros2idl', "
+                           "which is not read; the shipped definition of this type was used"});
+}
+
 TEST_F(Db3Files, aDefinitionThatIsTooLargeCostsItsTopic)
 {
     const std::string path = written(

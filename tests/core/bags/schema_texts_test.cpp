@@ -19,6 +19,16 @@ TEST(SchemaTexts, keepEqualTextsOfATypeOnce)
     EXPECT_NE(*texts.keep("p/U", "bool a\n"), *kept);
 }
 
+TEST(SchemaTexts, leaveOutATextWhoseEncodingIsNotRead)
+{
+    SchemaTexts texts;
+    EXPECT_EQ(**texts.keep("p/T", "bool a\n", "ros2msg"), "bool a\n");
+    const std::string tooLong(MessageSchema::kMaxText + 1, ' ');
+    const auto kept = texts.keep("p/T", tooLong, "ros2idl");
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(**kept, "");
+}
+
 TEST(SchemaTexts, refuseATextThatIsTooLarge)
 {
     SchemaTexts texts;

@@ -239,6 +239,36 @@ TEST_F(SeriesFiles, damageIsTheCauseOfAMissingTopic)
     EXPECT_EQ(why.find("correct ["), std::string::npos) << "the mapping is not the cause";
 }
 
+TEST_F(SeriesFiles, theCauseInReadMessagesPrecedesDamage)
+{
+    const std::string file = robotFile(R"({"x":0,"y":0,"z":0,"w":1})").file();
+    std::string mapping = robotMapping("");
+    mapping.replace(mapping.find("position[fl]"), 12, "position[fx]");
+    const std::string why = whyNot(file.substr(0, file.size() - 45), mapping);
+    EXPECT_EQ(why.find(": topic /joints: none of its 5 messages has the field 'position[fx]'; "
+                       "`terratact import --probe` lists the fields; correct [front_left] of the "
+                       "mapping; the file is damaged, too: ends within the record at byte "),
+              0U)
+        << why;
+}
+
+TEST_F(SeriesFiles, aNoteIsNotTheCauseOfAMissingField)
+{
+    const std::string rows =
+        "t,pitch,front_left,front_right,rear_left\ns,deg,deg,deg,deg\n0,0,0,0,0\n";
+    EXPECT_EQ(whyNot(rows, csvMapping()).find(": topic /csv: none of its 1 messages"), 0U)
+        << "the line of units is left out, which costs no field";
+}
+
+TEST_F(SeriesFiles, aTopicWithoutMessagesIsNamed)
+{
+    McapBytes mcap;
+    mcap.channel(1, 0, "/imu", "json").channel(2, 0, "/joints", "json");
+    mcap.message(2, kSecond, R"({"name":["fl","fr","rl","rr"],"position":[0,0,0,0]})");
+    EXPECT_EQ(whyNot(mcap.file(), robotMapping("")),
+              ": topic /imu: the topic has no message; correct [attitude] of the mapping");
+}
+
 TEST_F(SeriesFiles, brokenMessagesAreCountedAndLeftOut)
 {
     McapBytes mcap = robotFile(R"({"x":0,"y":0,"z":0,"w":1})");
