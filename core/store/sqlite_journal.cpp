@@ -1,5 +1,6 @@
 #include "core/store/sqlite_journal.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -38,6 +39,24 @@ bool hasSum(std::string_view bytes, std::size_t at, const std::array<std::uint32
     return wordAt(bytes, at) == sum[0] && wordAt(bytes, at + 4) == sum[1];
 }
 
+/// Returns the place behind the last byte of a file that is not 0.
+std::uint64_t contentEnd(std::ifstream& file)
+{
+    std::array<char, 8192> block{};
+    file.seekg(0, std::ios::end);
+    auto end = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+    while (end > 0) {
+        const std::uint64_t begin = (end - 1) / block.size() * block.size();
+        file.seekg(static_cast<std::streamoff>(begin));
+        file.read(block.data(), static_cast<std::streamsize>(end - begin));
+        const std::string_view bytes(block.data(), static_cast<std::size_t>(file.gcount()));
+        const std::size_t last = bytes.find_last_not_of('\0');
+        if (last != std::string_view::npos) return begin + last + 1;
+        end = begin;
+    }
+    return 0;
+}
+
 }  // namespace
 
 JournalFrames::JournalFrames(const std::string& path)
@@ -56,6 +75,8 @@ JournalFrames::JournalFrames(const std::string& path)
     addToSum(sum_, std::string_view(header_).substr(0, 24), isBig_);
     hasHeader_ = contentKind(header_) == ContentKind::Journal && hasSum(header_, 24, sum_);
     isIntact_ = hasHeader_;
+    contentEnd_ = contentEnd(in_);
+    in_.seekg(kJournalHead);
 }
 
 bool JournalFrames::next()
@@ -115,17 +136,20 @@ std::optional<JournalDamage> damageNow(const std::string& journal)
     JournalFrames frame(journal);
     if (frame.hasDamagedHeader()) return JournalDamage{};
     std::uint64_t at = 0, open = 0, broken = 0;  // open: since the last commit
+    bool isRead = false;                         // a transaction is read
     bool isStrange = false, hasCommit = false, isCommitted = false;
     while (frame.next()) {
         if (frame.isIntact()) {
             open = frame.commits() ? 0 : open + 1;
+            isRead = isRead || frame.commits();
             continue;
         }
         if (frame.isOlder()) break;
         if (broken++ == 0) at = frame.at();
-        isCommitted = isCommitted || (frame.isCurrent() && hasCommit);
+        const bool isEnd = isRead && frame.isUnwritten();
+        isCommitted = isCommitted || ((frame.isCurrent() || isEnd) && hasCommit);
         hasCommit = hasCommit || (frame.isCurrent() && frame.commits());
-        isStrange = isStrange || (!frame.isCurrent() && !frame.isUnfinished());
+        isStrange = isStrange || (!frame.isCurrent() && !frame.isUnfinished() && !isEnd);
     }
     if (!isStrange && !isCommitted) return std::nullopt;
     return JournalDamage{at, open + broken};

@@ -41,6 +41,9 @@ public:
     /// Returns true if it has neither salts nor checksums yet. In a transaction that does not fit
     /// into memory, SQLite adds them at the commit.
     bool isUnfinished() const;
+    /// Returns true if it and all bytes behind it are zeros: a power loss leaves blocks that were not
+    /// written yet as zeros.
+    bool isUnwritten() const { return at_ >= contentEnd_; }
 
 private:
     bool continuesChain();
@@ -48,6 +51,7 @@ private:
     std::ifstream in_;
     std::string header_, frame_;
     std::uint64_t at_ = 0, next_ = 0;
+    std::uint64_t contentEnd_ = 0;  ///< [bytes] behind the last byte that is not 0
     std::uint32_t pageSize_ = 0;
     std::array<std::uint32_t, 2> sum_{};  ///< running checksum
     bool isBig_ = false;                  ///< checksums are those of big-endian words
@@ -66,6 +70,7 @@ struct JournalDamage {
 ///   - frames of a transaction that was not committed;
 ///   - frames of a last transaction that are not whole, as a writer or a power loss leaves them: a
 ///     transaction is on the disk before the next one begins;
+///   - zeros up to the end of the file behind a transaction that is read: blocks of such a last one;
 ///   - an end of the file within a frame.
 /// A journal that is being written meanwhile is not called damaged.
 std::optional<JournalDamage> journalDamage(const std::string& journal);

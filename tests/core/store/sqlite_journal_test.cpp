@@ -146,6 +146,53 @@ TEST_F(UsedAgain, aTornLastTransactionIsNoDamage)
         << "it was committed before the next one began";
 }
 
+/// A journal that grew by a last transaction of several frames.
+struct Grown : Journal {
+    void SetUp() override
+    {
+        Journal::SetUp();
+        add(5);
+        committed = bytes().size();
+        file.run("BEGIN");
+        add(100);
+        file.run("COMMIT");
+        whole = bytes();
+        ASSERT_GE(whole.size(), committed + 3 * kFrame);
+        ASSERT_EQ(intact(whole), (whole.size() - kHead) / kFrame);
+    }
+    /// Returns the journal with zeros instead of the bytes from there on.
+    std::string zerosFrom(std::size_t at) const
+    {
+        return whole.substr(0, at) + std::string(whole.size() - at, '\0');
+    }
+    std::string whole;
+    std::size_t committed = 0;  // bytes before the last transaction
+};
+
+TEST_F(Grown, zerosUpToItsEndAreNoDamage)
+{
+    constexpr std::size_t kBlock = 4096;  // of a file system
+    EXPECT_EQ(damageOf(zerosFrom(committed)), std::nullopt);
+    for (std::size_t at = (committed / kBlock + 1) * kBlock; at < whole.size(); at += kBlock)
+        EXPECT_EQ(damageOf(zerosFrom(at)), std::nullopt) << at;
+}
+
+TEST_F(Grown, aByteBehindZerosShowsDamage)
+{
+    const JournalDamage all{committed, (whole.size() - committed) / kFrame};
+    std::string last = zerosFrom(committed);
+    last.back() = 'x';
+    EXPECT_EQ(damageOf(last), all);
+    EXPECT_EQ(damageOf(zerosFrom(committed) + 'x'), all) << "less than a frame";
+}
+
+TEST_F(Grown, zerosBehindADamagedCommitShowDamage)
+{
+    std::string changed = zerosFrom(committed);
+    invert(changed, committed - 1);
+    EXPECT_NE(damageOf(changed), std::nullopt) << "it was committed before the next one began";
+}
+
 TEST_F(Journal, aTransactionWithoutItsEndIsNoDamage)
 {
     add(5);
