@@ -5,10 +5,16 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 /// Blanks around a field of a CSV file.
 inline constexpr std::string_view kCsvBlanks = " \t";
+
+/// Cause of an error at a record that repeats the header of its file.
+inline constexpr SourceText kSecondTable = TR_NOOP(
+    "core", "repeats the header: a second table begins here: save each table as a file of its own");
 
 /// Returns the text without the blanks at its begin and end.
 std::string_view withoutBlanks(std::string_view text, std::string_view blanks = kCsvBlanks);

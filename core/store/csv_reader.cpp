@@ -259,6 +259,7 @@ Result<bool> CsvReader::readRecord()
 {
     fields_.clear();
     unquoted_.clear();
+    isOfWords_.reset();
     if (rest_.empty()) return false;
     line_ = nextLine_;
     for (;;) {
@@ -284,6 +285,23 @@ bool CsvReader::isRemark() const
     return columns_ > 1 && fields_.front().starts_with('#') && fields_.size() != columns_;
 }
 
+/// Returns true for a record of several words without a number, as the header of another table is.
+bool CsvReader::isOfWords()
+{
+    constexpr std::string_view kNumberBegins = "+-.0123456789";
+    if (!isOfWords_) {
+        std::size_t words = 0, i = 0;
+        for (; i < fields_.size(); ++i) {
+            if (fields_[i].empty()) continue;
+            if (kNumberBegins.find(fields_[i].front()) != std::string_view::npos) break;
+            if (isMissing(i) || isNumber(i)) break;
+            ++words;
+        }
+        isOfWords_ = i == fields_.size() && words > 1;
+    }
+    return *isOfWords_;
+}
+
 Result<bool> CsvReader::next()
 {
     for (;;) {
@@ -292,6 +310,7 @@ Result<bool> CsvReader::next()
         if (isBlank() || isRemark()) continue;
         if (columns_ == 0) return true;
         if (const Status counted = checkCount(); !counted) return counted.error();
+        if (std::ranges::equal(fields_, columnNames_)) return error(kSecondTable);
         if (!std::exchange(unitsMayFollow_, false)) return true;
         const Result<bool> units = isUnits();
         if (!units || !*units) return units ? Result<bool>(true) : units;
@@ -334,6 +353,10 @@ Status CsvReader::checkCount()
             Message(TR_NOOP("core", "is torn: has %1 fields where the header has %2, and "
                                     "the file does not end with a line end: delete the line"),
                     fields_.size(), columns_));
+    if (isOfWords())
+        return error(Message(TR_NOOP("core", "%1, and no number: does a second table begin here? "
+                                             "save it as a file of its own, or correct the line"),
+                             cause));
     if (fields_.size() > columns_ && separator_ == ',')
         return error(Message(
             TR_NOOP("core", "%1: are there decimal commas? save numbers with a point"), cause));
@@ -382,7 +405,11 @@ Result<double> CsvReader::number(std::size_t field, std::string_view what)
         const SourceText refusal =
             grouped ? TR_NOOP("core", "%1 is not a number: %2: save numbers with a point, and "
                                       "nothing between thousands")
-                    : TR_NOOP("core", "%1 is not a number: %2: write a number there");
+            : columns_ != 0 && isOfWords()
+                ? TR_NOOP("core", "%1 is not a number: %2, and its line holds none: does a second "
+                                  "table begin here? save it as a file of its own, or write a "
+                                  "number there")
+                : TR_NOOP("core", "%1 is not a number: %2: write a number there");
         return error(Message(refusal, what, shown(text)));
     }
     if (!std::isfinite(*value))

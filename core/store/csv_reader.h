@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +52,7 @@ public:
 
     /// Goes to the next record. Returns false after the last. Errors: an unclosed quote, text
     /// behind a quote, too many fields, a field that is too long. Below a header also: a wrong
-    /// number of fields, and a wrong unit.
+    /// number of fields, a wrong unit, and the header again: a second table begins there.
     Result<bool> next();
 
     /// Corrects fields of the current record, the header. A field becomes one of `names` if only upper
@@ -82,7 +83,8 @@ public:
     bool isNumber(std::size_t field) const;
 
     /// Returns the field as a finite number. `what` names it in the error. Errors: it is missing,
-    /// no number, not finite, or has another decimal mark than an earlier line.
+    /// no number, not finite, or has another decimal mark than an earlier line. Where a record below
+    /// a header holds words alone, the error asks whether a second table begins there.
     Result<double> number(std::size_t field, std::string_view what);
 
     /// Returns "file: line 7: cause".
@@ -105,6 +107,7 @@ private:
     void skipLineEnd();
     bool isBlank() const;
     bool isRemark() const;
+    bool isOfWords();
     Result<bool> isUnits() const;
     Status checkCount();
 
@@ -117,7 +120,8 @@ private:
     std::deque<std::string> unquoted_;  ///< fields that contained doubled quotes
     int line_ = 0, nextLine_ = 1;
     bool lacksLineEnd_ = false;
-    std::size_t columns_ = 0;  ///< columns of the header; 0: there is no header
+    std::optional<bool> isOfWords_;  ///< of the current record; empty: not asked yet
+    std::size_t columns_ = 0;        ///< columns of the header; 0: there is no header
     std::vector<std::string> columnNames_, units_;
     bool unitsMayFollow_ = false;
     char decimalMark_ = 0;  ///< decimal mark of the first number that has one

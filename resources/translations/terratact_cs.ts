@@ -6190,6 +6190,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the %1 was not measured: the other side counts for both</source>
         <translation>%1: nezměřeno, za obě strany platí druhá</translation>
     </message>
+    <message>
+        <source>repeats the header: a second table begins here: save each table as a file of its own</source>
+        <translation>opakuje hlavičku: zde začíná druhá tabulka: uložte každou tabulku do vlastního souboru</translation>
+    </message>
+    <message>
+        <source>%1, and no number: does a second table begin here? save it as a file of its own, or correct the line</source>
+        <translation>%1, a žádné číslo: začíná zde druhá tabulka? uložte ji do vlastního souboru, nebo opravte řádek</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2, and its line holds none: does a second table begin here? save it as a file of its own, or write a number there</source>
+        <translation>%1 není číslo: %2, a řádek žádné neobsahuje: začíná zde druhá tabulka? uložte ji do vlastního souboru, nebo zde napište číslo</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

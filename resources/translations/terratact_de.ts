@@ -6190,6 +6190,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the %1 was not measured: the other side counts for both</source>
         <translation>%1 nicht gemessen: die andere Seite gilt für beide</translation>
     </message>
+    <message>
+        <source>repeats the header: a second table begins here: save each table as a file of its own</source>
+        <translation>wiederholt die Kopfzeile: hier beginnt eine zweite Tabelle: speichern Sie jede Tabelle als eigene Datei</translation>
+    </message>
+    <message>
+        <source>%1, and no number: does a second table begin here? save it as a file of its own, or correct the line</source>
+        <translation>%1, und keine Zahl: beginnt hier eine zweite Tabelle? speichern Sie sie als eigene Datei, oder berichtigen Sie die Zeile</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2, and its line holds none: does a second table begin here? save it as a file of its own, or write a number there</source>
+        <translation>%1 ist keine Zahl: %2, und die Zeile enthält keine: beginnt hier eine zweite Tabelle? speichern Sie sie als eigene Datei, oder schreiben Sie dort eine Zahl</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -10,6 +10,7 @@
 
 #include "core/base/text.h"
 #include "core/learn/data/profile_form.h"
+#include "core/store/csv_field.h"
 
 namespace terratact {
 namespace {
@@ -81,6 +82,7 @@ public:
         if (csv.fields().size() <= columns_.heights)
             return csv.error("has no heights, expected them from field "
                              + std::to_string(columns_.heights + 1) + " on");
+        if (csv.fields()[columns_.heights] == "heights_m") return csv.error(kSecondTable);
         if (Status status = begin(csv); !status) return status;
         const Result<double> y = numberIn(csv, columns_.y, "y_m", -kMaxY, kMaxY);
         if (!y) return y.error();

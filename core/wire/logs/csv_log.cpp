@@ -70,11 +70,13 @@ public:
     {
         const std::vector<std::string_view> fields = logCsvFields(heading, separator_);
         isFirst_ = !fields.empty() && !isDigits(fields[0].substr(0, 1));
-        if (isFirst_)
+        if (isFirst_) {
+            heading_ = heading;
             for (const std::string_view field : fields) columns_.push_back(logCsvName(field));
-        else
+        } else {
             columns_ = {"timestamp", "id", "extended",
                         fields.size() > 3 && isDigits(fields[3]) ? "bus" : "dir"};
+        }
         if (!isFirst_ && columns_.back() == "dir") columns_.emplace_back("bus");
         if (!isFirst_) columns_.emplace_back("len");
         if (has("__time")) dialect_ = Dialect::Own;
@@ -95,6 +97,7 @@ public:
     {
         if (std::exchange(isFirst_, false) || LogWords(line).rest().empty())
             return std::optional<LoggedFrame>{};
+        if (line == heading_) return Error{kSecondTable};
         const Fields fields = logCsvFields(line, separator_);
         LoggedFrame logged;
         for (const auto step :
@@ -241,6 +244,7 @@ private:
     }
 
     char separator_;
+    std::string heading_{};  ///< empty: the log has none
     std::vector<std::string> columns_;
     Dialect dialect_ = Dialect::Gvret;
     bool isFirst_ = true;  ///< the heading is next

@@ -105,6 +105,20 @@ TEST_F(CsvSeries, missingColumnsAndTimesAreNamed)
     EXPECT_NE(why.find("[csv] time_unit"), std::string::npos) << why;
 }
 
+TEST_F(CsvSeries, aSecondTableIsNamed)
+{
+    for (const auto& [line, cause] :
+         {std::pair("time,pitch", "line 5: repeats the header: a second table begins here: save "
+                                  "each table as a file of its own"),
+          std::pair("stamp,roll", "line 5: time is not a number: 'stamp', and its line holds none: "
+                                  "does a second table begin here?"),
+          std::pair("stamp,roll,yaw", "line 5: has 3 fields where the header has 2, and no number: "
+                                      "does a second table begin here?")}) {
+        EXPECT_EQ(rows(fmt::format("time,pitch\n1,2\n2,3\n\n{}\n1,4\n", line)).size(), 2U);
+        EXPECT_NE(why.find(cause), std::string::npos) << why;
+    }
+}
+
 TEST_F(CsvSeries, aTornLastLineIsLeftOut)
 {
     EXPECT_EQ(rows("time,pitch,roll\n1,2,3\n2,2"), (Rows{{1'000'000'000, 2.0}}));

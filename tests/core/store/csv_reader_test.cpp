@@ -175,6 +175,27 @@ TEST(CsvReader, countsFieldsBelowAHeader)
     EXPECT_TRUE(whole->lacksLineEnd());
 }
 
+TEST(CsvReader, namesTheLineOfASecondTable)
+{
+    const std::vector<std::string> units{"", "s", "rad"};
+    const auto before = [&](const std::string& line) {
+        return atSecond("run,t_s,pitch\na,1,0.5\n" + line + "\nb,1x,c\n", units);
+    };
+    EXPECT_TRUE(refused(before("run,t_s,pitch")->next(), "text",
+                        {"line 3: repeats the header: a second table begins here: save each"}));
+    EXPECT_TRUE(refused(before("source,stamp")->next(), "text",
+                        {"line 3: has 2 fields where the header has 3, and no number: does a "
+                         "second table begin here?"}));
+    EXPECT_TRUE(refused(before("run one,2.5")->next(), "text", {"correct or delete the line"}));
+    Result<CsvReader> other = before("source,stamp,roll");
+    ASSERT_TRUE(other && other->next());
+    EXPECT_TRUE(refused(other->number(1, "t_s"), "text",
+                        {"line 3: t_s is not a number: 'stamp', and its line holds none: does a "
+                         "second table begin here?"}));
+    ASSERT_TRUE(other->next());
+    EXPECT_TRUE(refused(other->number(1, "t_s"), "text", {"'1x': write a number there"}));
+}
+
 TEST(CsvReader, skipsALineOfUnits)
 {
     const std::vector<std::string> units{"", "rad", "A"};

@@ -66,6 +66,12 @@ TEST_F(GroundFileTest, skipsRemarksUnitsAndEmptyRecords)
     EXPECT_TRUE(refuses("y_m,heights_m\nmm,mm\n", {"line 2", "y_m is not a number: 'mm'"}));
 }
 
+TEST_F(GroundFileTest, namesTheLineOfASecondTable)
+{
+    EXPECT_TRUE(refuses("y_m,heights_m\n0.2,0,0.1\ny_m,heights_m\n0.3,0,0.1\n",
+                        {"line 3: repeats the header: a second table begins here"}));
+}
+
 TEST_F(GroundFileTest, readsTheFormsOfAPlaneAsEqualLines)
 {
     for (const std::string text : {"x_m,z_m\n0,0\n1,0\n1,0.2\n3,0.2\n", "0,0.1,0.2\n0,0,0,0.1\n",

@@ -290,6 +290,9 @@ TEST(Logs, nameTheLineAtFaultInEveryFormat)
     says("Time Stamp,ID,Extended,Bus,LEN,D1\n1,500,maybe,0,1,00\n", {"line 2", "true or false"});
     says("Time Stamp,ID,Extended,Bus,LEN,D1\n1,500,false,0,2,00\n", {"line 2", "a byte of two"});
     says("Time Stamp,ID,Extended,Bus,LEN,D1\n-1,500,false,0,1,00\n", {"line 2", "a time"});
+    says("Time Stamp,ID,Extended,Bus,LEN,D1\n1,500,false,0,1,00\n"
+         "Time Stamp,ID,Extended,Bus,LEN,D1\n1,500,false,0,1,00\n",
+         {"line 3: repeats the header: a second table begins here"});
 }
 
 TEST(Logs, ofOtherKindsAreNamedWithTheirConverter)
