@@ -28,6 +28,10 @@ constexpr Flipper rearFlipper(Side side)
 {
     return side == Side::Left ? Flipper::RearLeft : Flipper::RearRight;
 }
+constexpr Side opposite(Side side)
+{
+    return side == Side::Left ? Side::Right : Side::Left;
+}
 /// Returns +1 for left and −1 for right: the sign of y.
 constexpr double signOf(Side side)
 {

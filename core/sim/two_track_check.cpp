@@ -21,9 +21,13 @@ GroundLines groundOf(const Heights& left, const Heights& right, const RobotModel
     return GroundLines({{y, throughBins(left)}, {-y, throughBins(right)}});
 }
 
-bool wasPressed(const TwoTrackReadings& s, Side side)
+/// Returns the current [A] of a side's front flipper: that of the other side if it was not measured, because both
+/// are pressed alike. 0: not pressed.
+double pressCurrent(const TwoTrackReadings& s, Side side)
 {
-    return s.currents[indexOf(frontFlipper(side))].value_or(0.0) > 0.0;
+    const auto& own = s.currents[indexOf(frontFlipper(side))];
+    const auto& other = s.currents[indexOf(frontFlipper(opposite(side)))];
+    return std::max(own.value_or(other.value_or(0.0)), 0.0);
 }
 
 PerFlipper<FlipperDrive> drivesOf(const TwoTrackReadings& s, const RobotModel& robot)
@@ -31,8 +35,9 @@ PerFlipper<FlipperDrive> drivesOf(const TwoTrackReadings& s, const RobotModel& r
     PerFlipper<FlipperDrive> drives;
     for (std::size_t i = 0; i < kFlippers; ++i) drives[i] = HoldAngle{s.flippers[i]};
     for (const Side side : kCheckedSides) {
-        const std::size_t i = indexOf(frontFlipper(side));
-        if (wasPressed(s, side)) drives[i] = PressTorque{robot.torquePerAmpere * *s.currents[i]};
+        const double current = pressCurrent(s, side);
+        if (current > 0.0)
+            drives[indexOf(frontFlipper(side))] = PressTorque{robot.torquePerAmpere * current};
     }
     return drives;
 }
@@ -54,7 +59,7 @@ SideDifference differenceOf(const TwoTrackPose& pose, const TwoTrackReadings& s,
     add(pose.roll - s.roll, rule.roll);
     for (const Side side : kCheckedSides) {
         const std::size_t i = indexOf(frontFlipper(side));
-        if (wasPressed(s, side)) add(pose.flippers[i] - s.flippers[i], rule.front);
+        if (pressCurrent(s, side) > 0.0) add(pose.flippers[i] - s.flippers[i], rule.front);
     }
     return difference;
 }

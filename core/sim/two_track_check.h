@@ -41,7 +41,8 @@ struct TwoTrackCheck {
 /// Puts the robot on the heights of both sides. It then takes their joint draws, one after another,
 /// until the readings agree. Each side's ground is its bins' heights at their centres, joined by
 /// straight lines, under its track and its flippers. Front flippers with a positive current are
-/// pressed by it. Other flippers are held at their angles (restPose of two tracks). The search begins
+/// pressed by it; one whose current was not measured by that of the other. Other flippers are held
+/// at their angles (restPose of two tracks). The search begins
 /// at the measured pitch and roll. A draw agrees if every difference is within the rule. The draws are
 /// spread evenly over the estimate's draws: the same estimate gives the same result. s: with a
 /// differential that has not turned. poll: called before every pose. Throws Cancelled.

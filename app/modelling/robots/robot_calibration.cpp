@@ -23,9 +23,6 @@ constexpr std::size_t kMinPoses = 3;
 constexpr std::array<double Measurement::*, kFlippers> kAngles{
     &Measurement::frontLeft, &Measurement::frontRight, &Measurement::rearLeft,
     &Measurement::rearRight};
-constexpr std::array<double Measurement::*, kFlippers> kCurrents{
-    &Measurement::frontLeftCurrent, &Measurement::frontRightCurrent, &Measurement::rearLeftCurrent,
-    &Measurement::rearRightCurrent};
 
 FloorParameters priorSd()
 {
@@ -140,8 +137,7 @@ public:
 
     static bool isLoaded(const StandingPose& pose, std::size_t flipper)
     {
-        const std::size_t feature = flipper < 2 ? kFrontCurrentFeature : kRearCurrentFeature;
-        return !pose.mean.missing[feature] && pose.mean.*kCurrents[flipper] >= kLoadedCurrent;
+        return motorCurrents(pose.mean)[flipper].value_or(0.0) >= kLoadedCurrent;
     }
 
 private:

@@ -32,6 +32,8 @@ public:
         if (lines_ == 0) sum_ = m;
         if (lines_ > 0)
             for (const auto value : kMeans) sum_.*value += m.*value;
+        sum_.missing |= m.missing;
+        sum_.missingMotors |= m.missingMotors;
         pitch_[0] += m.pitch, pitch_[1] += m.pitch * m.pitch;
         roll_[0] += m.roll, roll_[1] += m.roll * m.roll;
         ++lines_;
@@ -51,6 +53,7 @@ public:
         StandingPose pose{.mean = sum_, .lines = lines_};
         const double n = static_cast<double>(lines_);
         for (const auto value : kMeans) pose.mean.*value /= n;
+        setCurrents(pose.mean, motorCurrents(pose.mean));  // 0 where a line lacks one
         pose.mean.pitch = pitch_[0] / n;
         pose.mean.roll = roll_[0] / n;
         pose.pitchSd = sdOfMean(pitch_);

@@ -10,7 +10,8 @@
 
 namespace terratact {
 
-/// A pose in which the robot stood still: means over its lines.
+/// A pose in which the robot stood still: means over its lines. A current that one of them lacks is
+/// missing.
 struct StandingPose {
     Measurement mean{};
     double pitchSd = 0.0, rollSd = 0.0;  ///< [rad] of the means

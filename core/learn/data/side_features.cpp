@@ -11,11 +11,6 @@ using SideValues = std::array<std::optional<double>, kSideFeatures>;
 
 constexpr std::size_t kElementsOfSide = std::size_t{kForceElements};
 
-Side opposite(Side side)
-{
-    return side == Side::Left ? Side::Right : Side::Left;
-}
-
 SideValues valuesOf(const TwoTrackReadings& s, Side own)
 {
     SideValues values{s.pitch, signOf(own) * s.roll};

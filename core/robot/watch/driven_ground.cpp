@@ -31,8 +31,8 @@ double centreOfMass(const RobotModel& r)
 
 void RearLoad::add(const Measurement& line)
 {
-    const double now = proprioception(line).rearCurrent.value_or(0.0);
-    current_ += kNewestCurrent * (now - current_);
+    if (const auto now = proprioception(line).rearCurrent)
+        current_ += kNewestCurrent * (*now - current_);
 }
 
 double supportAngle(const RobotModel& robot, double rear)

@@ -9,7 +9,8 @@
 
 namespace terratact {
 
-/// Smoothed mean current of the rear flippers; it shows whether they carry a load.
+/// Smoothed mean current of the rear flippers; it shows whether they carry a load. It stays where no
+/// current was measured.
 class RearLoad {
 public:
     static constexpr double kLoaded = 0.4;  ///< [A] per motor

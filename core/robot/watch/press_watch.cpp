@@ -198,13 +198,16 @@ void PressWatch::judgeForces(double now)
     }
     const double motor = robot_.torquePerAmpere * currents / std::max(motors, 1.0);
     double moment = 0.0, most = 0.0;
+    bool areMeasured = true;
     for (std::size_t e = 0; e < kForces.size(); ++e) {
         const double force = rest.of(kForces[e]);
         moment += force * robot_.elementShare[e] * robot_.front.edgeLength();
         most = std::max(most, force);
+        areMeasured = areMeasured && rest.count(kForces[e]) > 0;
     }
     const bool isAtEnd = most > kNearEnd * robot_.forceSaturation;
-    if (foundGround() && motor >= kMinMoment && !isAtEnd && moment < kForceShare * motor)
+    if (foundGround() && areMeasured && motor >= kMinMoment && !isAtEnd
+        && moment < kForceShare * motor)
         for (const Sensor sensor : kForces) suspect(sensor, SensorTrouble::NoLoad, now, moment);
 }
 
@@ -212,7 +215,10 @@ void PressWatch::judgeSettled(double now)
 {
     Press& press = *press_;
     press.wasJudged = true;
-    const auto change = [&press](Sensor s) { return press.settled.of(s) - press.first.of(s); };
+    const auto change = [&press](Sensor s) {
+        const bool isMeasured = press.first.count(s) > 0 && press.settled.count(s) > 0;
+        return isMeasured ? press.settled.of(s) - press.first.of(s) : 0.0;
+    };
     if (press.settled.count(Sensor::Pitch) >= kMinSettled) {
         for (const auto& axle : {kFront, kRear})
             for (const Sensor s : axle)
@@ -231,8 +237,12 @@ void PressWatch::judgeSettled(double now)
         judgePitch(now);
     }
     judgeSides(now);
-    for (std::size_t i = 0; i < kSensors; ++i)
-        if (!press.isSuspect[i] && !isSideForce(sensorAt(i))) cleared_.push_back(sensorAt(i));
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        const Sensor s = sensorAt(i);
+        const bool wasMeasured =
+            press.early.count(s) + press.first.count(s) + press.settled.count(s) > 0;
+        if (wasMeasured && !press.isSuspect[i] && !isSideForce(s)) cleared_.push_back(s);
+    }
 }
 
 void PressWatch::judgePitch(double now)

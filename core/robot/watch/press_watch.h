@@ -20,7 +20,8 @@ namespace terratact {
 ///   pitch     It stays once the flippers are pressed. The rule sums the squared changes over several
 ///             presses, in units of noise.
 /// Fewer rules apply to a press that found no ground, and to one that ends within kSettle. A current
-/// that was not measured is not judged. The watch has no clock.
+/// that was not measured is not judged. Forces are compared with the torque only if all are measured.
+/// A reading that gets lost in a press is not late. The watch has no clock.
 /// Forces are the means of left and right.
 class PressWatch {
 public:

@@ -14,9 +14,11 @@ constexpr double kFrontLoad = 0.5;
 constexpr double kMaxWay = 0.5;  // [m] between two lines
 constexpr double kHardly = 0.1;  // share of a step with loaded rear flippers
 
-bool isFrontLoaded(const Measurement& m)
+/// Returns true if the front flippers carry no load, and it is known whether the rear ones carry one.
+bool isJudged(const Measurement& m)
 {
-    return proprioception(m).frontCurrent.value_or(0.0) > kFrontLoad;
+    const Proprioception s = proprioception(m);
+    return s.rearCurrent && s.frontCurrent && *s.frontCurrent <= kFrontLoad;
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ void ReturnWatch::add(const Measurement& line)
     const double pitch = line.pitch + support;
     const Vec2 ahead = rotated({ds / std::cos(support) * std::cos(pitch), 0.0}, *line.turned);
     place_ = {place_.x + ahead.x, place_.z + ahead.z};
-    if (line.activity != RobotActivity::Driving || !(ds > 0.0) || isFrontLoaded(line)) return;
+    if (line.activity != RobotActivity::Driving || !(ds > 0.0) || !isJudged(line)) return;
     way_ += ds;
     pitchWay_ += ds * pitch;
     loadedWay_ += rear_.isLoaded() ? ds : 0.0;

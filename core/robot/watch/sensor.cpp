@@ -54,9 +54,10 @@ auto plainReadings(Line& m)
                       &m.rearRightCurrent};
 }
 
-/// Returns true for a current that was not measured.
-bool lacksCurrent(const Measurement& line, Sensor sensor)
+/// Returns true for a current, or the mean of a force, that was not measured.
+bool lacksReading(const Measurement& line, Sensor sensor)
 {
+    if (isMeanForce(sensor)) return line.missing[kFirstForceFeature + elementOf(sensor)];
     return kindOf(sensor) == SensorKind::Current
         && !motorCurrents(line)[indexOf(sensor) - indexOf(Sensor::FrontLeftCurrent)];
 }
@@ -91,9 +92,9 @@ SensorReadings readingsOf(const Measurement& m)
     SensorReadings readings;
     const auto plain = plainReadings(m);
     for (std::size_t i = 0; i < plain.size(); ++i)
-        if (!lacksCurrent(m, sensorAt(i))) readings[i] = *plain[i];
+        if (!lacksReading(m, sensorAt(i))) readings[i] = *plain[i];
     for (std::size_t e = 0; e < m.force.size(); ++e) {
-        readings[indexOf(meanForce(e))] = m.force[e];
+        if (!lacksReading(m, meanForce(e))) readings[indexOf(meanForce(e))] = m.force[e];
         readings[indexOf(leftForce(e))] = m.sides.left[e];
         readings[indexOf(rightForce(e))] = m.sides.right[e];
     }
@@ -111,10 +112,11 @@ SensorReadings judgedReadings(const Measurement& line)
 
 void setReading(Measurement& m, Sensor sensor, double value)
 {
+    if (lacksReading(m, sensor)) return;
     const std::size_t i = indexOf(sensor);
     const auto plain = plainReadings(m);
     if (i < plain.size()) {
-        if (!lacksCurrent(m, sensor)) *plain[i] = value;
+        *plain[i] = value;
     } else if (sensor == Sensor::Travelled) {
         if (m.travelled) m.travelled = value;
     } else if (isMeanForce(sensor)) {

@@ -43,8 +43,10 @@ void SideWatch::Mean::add(const Measurement& line)
         towards(left[e], ofLeft.value_or(0.0));
         towards(right[e], ofRight.value_or(0.0));
     }
-    towards(leftCurrent, line.frontLeftCurrent);
-    towards(rightCurrent, line.frontRightCurrent);
+    const MotorCurrents currents = motorCurrents(line);
+    lacksCurrent = lacksCurrent || !currents[0] || !currents[1];
+    towards(leftCurrent, currents[0].value_or(0.0));
+    towards(rightCurrent, currents[1].value_or(0.0));
     towards(angle, line.frontLeft - line.frontRight);
 }
 
@@ -119,7 +121,7 @@ void SideWatch::judge(const Press& press, double now)
 {
     const bool isSettled = press.settled.lines >= kMinSettledLines;
     const Mean& rest = isSettled ? press.settled : press.early;
-    if (raisedLines_ < kMinRaised) return;
+    if (raisedLines_ < kMinRaised || rest.lacksCurrent) return;
     const double most = std::max(std::abs(rest.leftCurrent), std::abs(rest.rightCurrent));
     if (std::abs(rest.angle) > kAngle) return;
     if (std::abs(rest.leftCurrent - rest.rightCurrent) > kNoise + kCurrent * most) return;

@@ -24,7 +24,7 @@ namespace terratact {
 /// Elements that differ in both directions touch different ground and are not judged. A suspicion
 /// needs kPresses more presses with a fault than loaded presses without it. As many without it clear
 /// the suspicion. The watch needs both sides, and kMinRaised lines of driving with raised flippers.
-/// It has no clock.
+/// A press is not judged if one of its compared lines lacks a front current. The watch has no clock.
 class SideWatch {
 public:
     static constexpr double kAngle = 0.05;         ///< [rad] largest difference of left and right
@@ -53,6 +53,7 @@ private:
         int lines = 0;
         Forces left{}, right{};
         double leftCurrent = 0.0, rightCurrent = 0.0, angle = 0.0;  ///< [A], [rad] left less right
+        bool lacksCurrent = false;                                  ///< a line lacks a current
         std::array<bool, kForceElements> isMissing{};
         void add(const Measurement& line);
     };

@@ -72,6 +72,18 @@ TEST(RearLoad, IsThatOfTheMotorThatIsMeasured)
     EXPECT_EQ(one.current(), both.current());
 }
 
+TEST(RearLoad, StaysWhereNoCurrentIsMeasured)
+{
+    RearLoad load;
+    Measurement m;
+    setCurrents(m, {0.0, 0.0, 0.6, 0.6});
+    for (int k = 0; k < 20; ++k) load.add(m);
+    const double before = load.current();
+    setCurrents(m, {0.0, 0.0, std::nullopt, std::nullopt});
+    for (int k = 0; k < 20; ++k) load.add(m);
+    EXPECT_EQ(load.current(), before);
+}
+
 TEST(DrivenGround, BoundsTheGroundUnderThePathOfTheTracks)
 {
     const TerrainProfile flat({{0.0, 0.0}, {6.0, 0.0}});
@@ -174,6 +186,20 @@ TEST(ReturnWatch, SuspectsAPitchThatIsShifted)
     EXPECT_TRUE(shifted("offset:pitch:0.0524")) << "3 degrees";
     EXPECT_TRUE(shifted("offset:pitch:-0.0524"));
     EXPECT_TRUE(shifted("drift:pitch:0.1"));
+}
+
+TEST(ReturnWatch, DoesNotJudgeWithoutTheCurrentsOfAnAxle)
+{
+    for (const bool front : {true, false}) {
+        auto drive = driveOverRough(0.5, true);
+        for (WatchedLine& line : drive) {
+            MotorCurrents currents = motorCurrents(line.measurement);
+            for (const std::size_t motor : {0U, 1U}) currents[motor + (front ? 0U : 2U)].reset();
+            setCurrents(line.measurement, currents);
+        }
+        EXPECT_FALSE(suspects<ReturnWatch>(drive, "offset:pitch:0.1", Sensor::Pitch,
+                                           SensorTrouble::BothWays));
+    }
 }
 
 TEST(ReturnWatch, DoesNotJudgeOneDirectionAlone)

@@ -132,6 +132,18 @@ TEST(TwoTrackCheck, levelGroundContradictsARoll)
     EXPECT_FALSE(e.side[0].contradicts);
 }
 
+TEST(TwoTrackCheck, aMissingCurrentIsThatOfTheOtherSide)
+{
+    TwoTrackReadings complete = readingsOnSides(0.06);
+    complete.currents[1] = complete.currents[0];
+    for (const std::size_t motor : {0U, 1U}) {
+        TwoTrackReadings lacking = complete;
+        lacking.currents[motor].reset();
+        EXPECT_EQ(checkPosterior(sidesOf(0.06), lacking, checkedRobot()),
+                  checkPosterior(sidesOf(0.06), complete, checkedRobot()));
+    }
+}
+
 TEST(TwoTrackCheck, anEstimateOfOnePlaneHasThatOfOnePlane)
 {
     const Measurement line = measurementOf(readingsOnSides(0.0));

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
@@ -143,6 +146,90 @@ TEST(SensorWatch, DoesNotBlameAMissingCurrent)
         for (const SensorSuspicion& s : watch.standing())
             ASSERT_NE(kindOf(s.sensor), SensorKind::Current) << describe(s).english();
     }
+}
+
+TEST(SensorWatch, DoesNotBlameLostSensors)
+{
+    for (const char* fault : {"lost:front-left-current", "lost:forces"})
+        EXPECT_EQ(noticedOn(fault), 0) << fault;
+}
+
+/// Adds a press of 2 s that begins at `start` [s] and returns the suspected sensors. `change` changes a line that
+/// rested for so long [s].
+std::vector<Sensor> addPress(SensorWatch& watch, double start,
+                             const std::function<void(Measurement&, double)>& change)
+{
+    for (int k = 0; k < 60; ++k) {
+        Measurement line;
+        line.time = start + 0.05 * k;
+        line.activity = k < 10 ? RobotActivity::Halted
+                      : k < 20 ? RobotActivity::Pressing
+                               : RobotActivity::Pressed;
+        setCurrents(line, {1.5, 1.5, 0.0, 0.0});
+        line.force.fill(4.0);
+        change(line, 0.05 * (k - 20));
+        watch.add(line);
+    }
+    std::vector<Sensor> suspected;
+    for (const SensorSuspicion& each : watch.standing()) suspected.push_back(each.sensor);
+    return suspected;
+}
+
+std::vector<Sensor> suspectedInAPress(const std::function<void(Measurement&, double)>& change)
+{
+    SensorWatch watch(absolem());
+    return addPress(watch, 0.0, change);
+}
+
+TEST(SensorWatch, AMissingCurrentClearsNoSuspicion)
+{
+    const auto from = [](double since, std::optional<double> current) {
+        return [=](Measurement& line, double rested) {
+            if (rested >= since) setCurrents(line, {current, 1.5, 0.0, 0.0});
+        };
+    };
+    SensorWatch watch(absolem());
+    const auto isSuspected = [&](double start, double since, std::optional<double> current) {
+        const auto suspected = addPress(watch, start, from(since, current));
+        return std::ranges::count(suspected, Sensor::FrontLeftCurrent) == 1;
+    };
+    EXPECT_TRUE(isSuspected(0.0, 0.3, 0.0));
+    EXPECT_TRUE(isSuspected(3.0, -9.0, std::nullopt));
+    EXPECT_FALSE(isSuspected(6.0, -9.0, 1.5));
+}
+
+TEST(SensorWatch, AReadingThatGetsLostInAPressIsNotLate)
+{
+    const auto lateFrom = [](double current, double force) {
+        return suspectedInAPress([=](Measurement& line, double rested) {
+            if (rested < 0.3) return;
+            setCurrents(line, {current, 1.5, 0.0, 0.0});
+            line.force[5] = force;
+        });
+    };
+    EXPECT_EQ(lateFrom(1.5, 4.0).size(), 0U);
+    EXPECT_EQ(lateFrom(0.0, 4.0), std::vector{Sensor::FrontLeftCurrent});
+    EXPECT_EQ(lateFrom(1.5, 18.0).size(), 6U) << "the forces";
+    const auto suspected = suspectedInAPress([](Measurement& line, double rested) {
+        if (rested < 0.3) return;
+        setCurrents(line, {std::nullopt, 1.5, 0.0, 0.0});
+        line.force.fill(0.0);
+        line.missing |= MissingFeatures(0b111111U << kFirstForceFeature);
+    });
+    EXPECT_TRUE(suspected.empty());
+}
+
+TEST(SensorWatch, ForcesNeedAllElementsToBeWithoutLoad)
+{
+    const auto unloaded = [](std::size_t missing) {
+        return suspectedInAPress([missing](Measurement& line, double) {
+            line.force.fill(0.0);
+            for (std::size_t e = 0; e < missing; ++e) line.missing[kFirstForceFeature + e] = true;
+        });
+    };
+    EXPECT_EQ(unloaded(0).size(), 6U);
+    EXPECT_TRUE(unloaded(1).empty()) << "it may carry the load";
+    EXPECT_TRUE(unloaded(6).empty());
 }
 
 TEST(SensorWatch, ClearsASensorThatRecovers)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -87,14 +88,14 @@ void driveRaised(SideWatch& watch)
 }
 
 /// Presses of two seconds, with these forces, currents [A] and a difference of the angles [rad].
-std::size_t suspicionsOf(const SideForces& sides, double leftCurrent, double angle)
+std::size_t suspicionsOf(const SideForces& sides, std::optional<double> leftCurrent, double angle,
+                         std::optional<double> rightCurrent = 2.0)
 {
     SideWatch watch;
     std::size_t count = 0;
     Measurement m;
     m.sides = sides;
-    m.frontLeftCurrent = leftCurrent;
-    m.frontRightCurrent = 2.0;
+    setCurrents(m, {leftCurrent, rightCurrent, 0.0, 0.0});
     m.frontLeft = angle;
     driveRaised(watch);
     for (int k = 0; k < 200; ++k) {
@@ -126,6 +127,16 @@ TEST(SideWatch, DoesNotJudgeWhereTheGroundMayDiffer)
     dead = all(5.0);
     dead.left[2].reset();
     EXPECT_EQ(suspicionsOf(dead, 2.0, 0.0), 0U) << "it is not measured";
+}
+
+TEST(SideWatch, DoesNotJudgeWithoutBothFrontCurrents)
+{
+    SideForces dead = all(5.0);
+    dead.left[2] = 0.0;
+    EXPECT_GT(suspicionsOf(dead, 0.2, 0.0, 0.2), 0U);
+    EXPECT_EQ(suspicionsOf(dead, std::nullopt, 0.0, 0.2), 0U);
+    EXPECT_EQ(suspicionsOf(dead, 0.2, 0.0, std::nullopt), 0U);
+    EXPECT_EQ(suspicionsOf(dead, std::nullopt, 0.0, std::nullopt), 0U);
 }
 
 TEST(SideWatch, ClearsAnElementThatAgreesAgain)

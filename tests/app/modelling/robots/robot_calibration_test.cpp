@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "app/modelling/robots/robot_proposal.h"
 #include "core/sim/simulated_robot.h"
@@ -70,6 +73,21 @@ TEST(StandingPoses, everyHeldPoseIsFoundOnce)
     EXPECT_GE(poses.size(), kFloorPoses.size());
     EXPECT_LE(poses.size(), kFloorPoses.size() + 4);
     for (const StandingPose& pose : poses) EXPECT_GE(pose.lines, 10U);
+}
+
+TEST(StandingPoses, aCurrentThatALineLacksIsMissing)
+{
+    std::vector<TelemetryLine> lines;
+    for (int i = 0; i < 20; ++i) {
+        Measurement m;
+        setCurrents(m, {1.5, 1.5, std::nullopt, 1.5});
+        if (i == 7) setCurrents(m, {std::nullopt, 1.5, std::nullopt, 1.5});
+        lines.push_back({std::int64_t{50'000'000} * i, m});
+    }
+    const auto poses = standingPoses(lines);
+    ASSERT_EQ(poses.size(), 1U);
+    EXPECT_EQ(motorCurrents(poses[0].mean), (MotorCurrents{std::nullopt, 1.5, std::nullopt, 1.5}));
+    EXPECT_EQ(poses[0].mean.frontLeftCurrent, 0.0);
 }
 
 TEST(RobotCalibration, findsANotherRobotWithinTwoSd)
