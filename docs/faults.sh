@@ -22,7 +22,8 @@ A fault is harmful if it adds more than 5 mm to the mean error. It is also harmf
 as noticed where 90 % of the scenes are in doubt, or 90 % of the drives suspected.
 
 To practise: `terratact-console --fault stuck:pitch@20`. To record scenes: `terratact simulate --disturb late:front`. Every kind and sensor:
-FAULTS in `man terratact`.
+FAULTS in `man terratact`. A lost sensor, as in `--fault lost:front-left-current@20`, is not suspected: telemetry says
+what is missing, and so does the estimate.
 
     terratact faults --drives 40 --seed 1
 

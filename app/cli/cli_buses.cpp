@@ -74,8 +74,8 @@ void addRobotOnBus(CLI::App& app, Job& job)
     c->add_option(
          "--fault", o->fault,
          "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm, reboot, or "
-         "sensors that lie, KIND:SENSORS[:AMOUNT] (stuck:pitch, late:front; FAULTS in the "
-         "manual page), from the start or @SECONDS later")
+         "sensors that lie or are lost, KIND:SENSORS[:AMOUNT] (stuck:pitch, lost:force-6; FAULTS "
+         "in the manual page), from the start or @SECONDS later")
         ->capture_default_str();
     c->add_option("--seed", o->seed, "Of terrain and sensor noise")->capture_default_str();
     c->add_option("--speed", o->speed, "Simulated seconds per second")

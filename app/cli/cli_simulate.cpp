@@ -128,7 +128,7 @@ void addSimulate(CLI::App& app, Job& job)
     addParsed(*c, "--disturb", *disturbed, disturbedFrom, disturbanceNames(),
               fmt::format("is none of {}, nor {}", disturbanceNames(), sensorFaultSyntax()),
               "What the estimator does not know of (default none): of the world, or of sensors "
-              "that lie (stuck:pitch, late:front; FAULTS in the manual page)")
+              "that lie or are lost (stuck:pitch, lost:forces; FAULTS in the manual page)")
         ->excludes(tracks)
         ->excludes(drives);
     c->callback([o, disturbed, &job] {

@@ -20,7 +20,7 @@ struct TriedFault {
     std::string_view limit;  ///< why SensorWatch cannot detect it in most drives; empty: it does
 };
 
-/// Returns no fault, and then every kind of fault at every kind of sensor.
+/// Returns no fault, and then every kind of fault but Lost at every kind of sensor.
 std::span<const TriedFault> triedFaults();
 
 /// Scene that a console makes of the first line of a press.

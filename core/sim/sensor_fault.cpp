@@ -33,7 +33,8 @@ constexpr std::array kFaultNames{NamedKind{"stuck", FaultKind::Stuck},
                                  NamedKind{"swapped-axles", FaultKind::SwappedAxles},
                                  NamedKind{"late", FaultKind::Late},
                                  NamedKind{"out-of-range", FaultKind::OutOfRange},
-                                 NamedKind{"full-scale", FaultKind::FullScale}};
+                                 NamedKind{"full-scale", FaultKind::FullScale},
+                                 NamedKind{"lost", FaultKind::Lost}};
 
 struct NamedSensors {
     std::string_view name;
@@ -152,6 +153,43 @@ double ofReading(Sensor sensor, Sensor reading, double truth, double wrong)
     return isSideForce(sensor) && isMeanForce(reading) ? (truth + wrong) / 2.0 : wrong;
 }
 
+/// Returns true for a sensor without which there is no line of telemetry.
+bool isAlwaysMeasured(Sensor sensor)
+{
+    const SensorKind kind = kindOf(sensor);
+    return kind == SensorKind::Attitude || kind == SensorKind::Angle;
+}
+
+void loseCurrent(Measurement& line, Sensor sensor)
+{
+    MotorCurrents currents = motorCurrents(line);
+    currents[indexOf(sensor) - indexOf(Sensor::FrontLeftCurrent)].reset();
+    setCurrents(line, currents);
+}
+
+/// Loses a mean of which no side is known, or one side; the mean follows it.
+void loseForce(Measurement& line, Sensor force)
+{
+    const std::size_t e = elementOf(force);
+    auto& [left, right] = line.sides;
+    if (isSideForce(force)) (force < Sensor::RightForce1 ? left : right)[e].reset();
+    line.force[e] = meanOfSides(left[e], right[e]).value_or(0.0);
+    line.missing[kFirstForceFeature + e] = !line.sides.knows(e);
+}
+
+void lose(Measurement& line, Sensor sensor)
+{
+    if (sensor == Sensor::Travelled) {
+        line.travelled.reset();
+        line.turned.reset();  // a frame has both or neither
+    } else if (kindOf(sensor) == SensorKind::Current) {
+        loseCurrent(line, sensor);
+    } else {
+        for (const Sensor of : readingsWith(sensor, line))
+            if (isMeanForce(sensor) || isSideForce(of)) loseForce(line, of);
+    }
+}
+
 Measurement lineOf(const Proprioception& s, double time)
 {
     Measurement m;
@@ -159,9 +197,9 @@ Measurement lineOf(const Proprioception& s, double time)
     m.pitch = s.pitch;
     m.frontLeft = m.frontRight = s.front;
     m.rearLeft = m.rearRight = s.rear;
-    m.frontLeftCurrent = m.frontRightCurrent = s.frontCurrent.value_or(0.0);
-    m.rearLeftCurrent = m.rearRightCurrent = s.rearCurrent.value_or(0.0);
+    setCurrents(m, {s.frontCurrent, s.frontCurrent, s.rearCurrent, s.rearCurrent});
     for (std::size_t e = 0; e < m.force.size(); ++e) m.force[e] = s.force[e].value_or(0.0);
+    m.missing = missingFeatures(s);
     m.activity = RobotActivity::Pressed;
     return m;
 }
@@ -184,6 +222,8 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
         fault.sensors.push_back(isMeanForce(sensor) ? likeForce(firstForce, elementOf(sensor))
                                                     : sensor);
     }
+    if (fault.kind == FaultKind::Lost) std::erase_if(fault.sensors, isAlwaysMeasured);
+    if (fault.sensors.empty()) return std::nullopt;
     fault.amount = usualAmount(fault.kind, sensors->first);
     if (second == std::string_view::npos) return fault;
     const auto amount = numberIn(text.substr(second + 1));
@@ -204,7 +244,7 @@ std::string sensorFaultSyntax()
         for (const NamedSensors& sensors : kSensorNames)
             if (sensors.name.starts_with(kForceName))
                 text += ' ' + std::string(side) + std::string(sensors.name);
-    return text;
+    return text + "; only currents, forces and odometry can be lost";
 }
 
 FaultySensors::FaultySensors(SensorFault fault, const RobotModel& robot, std::uint64_t seed)
@@ -277,6 +317,7 @@ double FaultySensors::faulty(Sensor sensor, double value, const Measurement& tru
     case FaultKind::Late: return late(sensor, value);
     case FaultKind::OutOfRange: return 2.0 * limitOf(sensor);
     case FaultKind::FullScale: return limitOf(sensor);
+    case FaultKind::Lost: break;
     }
     return value;
 }
@@ -310,6 +351,10 @@ Measurement FaultySensors::apply(const Measurement& truth)
         swap(line, truth);
         return line;
     }
+    if (fault_.kind == FaultKind::Lost) {
+        for (const Sensor sensor : fault_.sensors) lose(line, sensor);
+        return line;
+    }
     const SensorReadings readings = readingsOf(truth);
     for (const Sensor sensor : fault_.sensors) {
         const double added = push();
@@ -331,8 +376,8 @@ FaultyScenes::FaultyScenes(SensorFault fault, const RobotModel& robot, std::uint
 
 Proprioception FaultyScenes::apply(const Proprioception& scene, double time)
 {
-    Proprioception s = scene;
     if (fault_.kind == FaultKind::Late) {
+        Proprioception s = scene;
         const auto& sensors = fault_.sensors;
         if (std::find(sensors.begin(), sensors.end(), Sensor::FrontLeft) != sensors.end())
             s.front += flipperSpeed_ * fault_.amount;
@@ -344,16 +389,7 @@ Proprioception FaultyScenes::apply(const Proprioception& scene, double time)
         between.activity = RobotActivity::Driving;
         sensors_.apply(between);
     }
-    const Measurement wrong = sensors_.apply(line);
-    const Proprioception read = proprioception(wrong);
-    s.pitch = read.pitch;
-    s.front = read.front;
-    s.rear = read.rear;
-    if (s.frontCurrent) s.frontCurrent = read.frontCurrent;
-    if (s.rearCurrent) s.rearCurrent = read.rearCurrent;
-    for (std::size_t e = 0; e < s.force.size(); ++e)
-        if (s.force[e]) s.force[e] = read.force[e];
-    return s;
+    return proprioception(sensors_.apply(line));
 }
 
 }  // namespace terratact

@@ -28,7 +28,8 @@ enum class FaultKind : std::uint8_t {
     SwappedAxles,  ///< front and rear exchanged
     Late,          ///< reads its value of `amount` seconds before
     OutOfRange,    ///< reads twice the limit of its kind, which the robot cannot reach
-    FullScale      ///< reads the end of its range
+    FullScale,     ///< reads the end of its range
+    Lost           ///< has no reading, and telemetry says so
 };
 
 /// A fault of one or several sensors.
@@ -41,12 +42,14 @@ struct SensorFault {
 /// Returns the fault of "KIND:SENSORS" or "KIND:SENSORS:AMOUNT", such as "stuck:pitch",
 /// "offset:front:0.17", "late:all:0.5".
 ///   KIND     stuck, stuck-at-scene, zero, offset, drift, spikes, scatter, flipped, swapped,
-///            swapped-axles, late, out-of-range, full-scale
+///            swapped-axles, late, out-of-range, full-scale, lost
 ///   SENSORS  pitch, roll, attitude, front, rear, front-left …, front-current, rear-current, front-left-current …,
 ///            currents, angles, forces, force-1 … force-6, odometry, all; forces of one side:
 ///            left-forces, right-force-1, …
 /// Default AMOUNT: 10° for angles and attitude, 1 A, 3 N, 1 m; a tenth of that for a drift; 0.5 s
-/// for Late. Empty if the text is none of these. `simulate --disturb` and `robot --fault` take such texts.
+/// for Late. Lost leaves out attitude and angles, without which there is no line of telemetry. Empty if
+/// the text is none of these, or leaves no sensor. `simulate --disturb` and `robot --fault` take such
+/// texts.
 std::optional<SensorFault> sensorFaultFrom(std::string_view text);
 
 /// Returns the explanation of such a text for --help and errors.
@@ -60,7 +63,7 @@ public:
 
     /// Returns the next line with the fault. Lines must come in order of time. A fault of a force is
     /// one of both sides if they are known, and the mean follows them. If only the mean is known, it
-    /// has half of a fault of one side.
+    /// has half of a fault of one side; if that side is lost, it stays.
     Measurement apply(const Measurement& truth);
 
 private:

@@ -124,7 +124,7 @@ SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotMod
         std::optional<double> force = side[e];
         if (!place.isRear && m.missing[kFirstForceFeature + e])
             force.reset();
-        else if (!place.isRear && !force)
+        else if (!place.isRear && !sides.knows(e))
             force = m.force[e];
         if (!isWired(robot, place, e)) force.reset();
         const double voltage = force ? voltageOf(*force, place.isRear ? 0.0 : bias[e], robot) : 0.0;

@@ -36,9 +36,10 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const ElementFo
                                          const RobotStatus& status, double time);
 
 /// Converts a Measurement to a line of sensors, for a simulated robot. The voltages are those that
-/// give the forces back. A missing element or force gets 0 V, which reads as a broken wire. Angles
-/// are wrapped into one turn. Values beyond their signal's range are sent as its end; a travelled
-/// way beyond it is sent as not measured. So is a way without a heading: one frame holds both.
+/// give the forces back. A missing element or force gets 0 V, which reads as a broken wire. Where only
+/// the mean of an element is known, both sides get it. Angles are wrapped into one turn. Values beyond
+/// their signal's range are sent as its end; a travelled way beyond it is sent as not measured. So is
+/// a way without a heading: one frame holds both.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
 
 }  // namespace terratact

@@ -24,13 +24,17 @@ _terratact_list() {
   mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -P "$before" -W "$*" -- "${word##*,}")
 }
 
-# KIND:SENSORS of a sensor that lies; the other words, $@, come first.  A colon parts words where COMP_WORDBREAKS says so.
+# KIND:SENSORS of a sensor that lies or is lost; the other words, $@, come first.  A colon parts words where
+# COMP_WORDBREAKS says so.
 _terratact_faults() {
-  local kinds="stuck stuck-at-scene zero offset drift spikes scatter flipped swapped swapped-axles late out-of-range full-scale"
-  local sensors="pitch roll attitude front rear angles front-left front-right rear-left rear-right front-current rear-current \
-    currents front-left-current front-right-current rear-left-current rear-right-current forces force-1 force-2 force-3 force-4 \
-    force-5 force-6 odometry all left-forces left-force-1 left-force-2 left-force-3 left-force-4 left-force-5 left-force-6 \
-    right-forces right-force-1 right-force-2 right-force-3 right-force-4 right-force-5 right-force-6"
+  local kinds="stuck stuck-at-scene zero offset drift spikes scatter flipped swapped swapped-axles late out-of-range \
+    full-scale lost"
+  local sensors="front-current rear-current currents front-left-current front-right-current rear-left-current \
+    rear-right-current forces force-1 force-2 force-3 force-4 force-5 force-6 odometry all left-forces left-force-1 \
+    left-force-2 left-force-3 left-force-4 left-force-5 left-force-6 right-forces right-force-1 right-force-2 \
+    right-force-3 right-force-4 right-force-5 right-force-6"
+  [[ "${COMP_WORDS[*]}" =~ \ lost\ ?: ]] ||  # the others cannot be lost
+    sensors+=" pitch roll attitude front rear angles front-left front-right rear-left rear-right"
   if [[ $parted == : ]]; then
     _terratact_words "$sensors"
   elif [[ $word == *:* ]]; then

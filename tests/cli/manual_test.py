@@ -208,6 +208,9 @@ class Completion(unittest.TestCase):
             self.assertEqual(completed("terratact", *option, "stuck", ":", ""), sorted(sensors))
             self.assertEqual(completed("terratact", *option, "stuck", ":", "pi"), ["pitch"])
             self.assertEqual(completed("terratact", *option, "stuck:pi"), ["stuck:pitch"])
+            can_be_lost = sorted(s for s in sensors if re.search("current|force|odometry|all", s))
+            self.assertEqual(completed("terratact", *option, "lost", ":", ""), can_be_lost)
+            self.assertEqual(completed("terratact", *option, "lost:pi"), [])
 
     def test_files_are_those_that_fit(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -33,6 +33,15 @@ class Sensors(unittest.TestCase):
             self.assertEqual(row["front_rad"], true["front_rad"])
         self.assertIn("KIND:SENSORS", complaint(*command, "--disturb", "stuck:nose", "--out", stuck, code=2))
 
+    def test_simulate_can_lose_sensors(self):
+        out = self.path / "lost.csv"
+        command = ("simulate", "--terrain", "boxes", "--count", 60, "--seed", 5, "--out", out, "--disturb")
+        run(*command, "lost:front-current")
+        for row in rows(out):
+            self.assertEqual(row["front_current_a"], "")
+            self.assertNotEqual(row["rear_current_a"], "")
+        self.assertIn("only currents, forces and odometry can be lost", complaint(*command, "lost:pitch", code=2))
+
     def test_every_fault_changes_the_scenes(self):
         out = self.path / "scenes.csv"
 

@@ -86,5 +86,16 @@ TEST(RobotFaults, refusalsListWhatIsKnown)
     }
 }
 
+TEST(RobotFaults, refuseALossOfThePose)
+{
+    EXPECT_TRUE(withFault({}, "lost:front-left-current@3"));
+    for (const char* text : {"lost:pitch", "lost:attitude@3", "lost:angles"}) {
+        const auto options = withFault({}, text);
+        ASSERT_FALSE(options) << text;
+        EXPECT_NE(options.error().text.find("only currents, forces and odometry can be lost"),
+                  std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string_view>
 
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/wire/telemetry_listener.h"
@@ -12,14 +13,16 @@ namespace terratact {
 namespace {
 
 /// Returns what a console receives of a robot with exact sensors whose left side stands on a kerb.
-std::optional<Measurement> heardOnAKerb(const RobotModel& robot, const RobotModel& assumed)
+std::optional<Measurement> heardOnAKerb(const RobotModel& robot, const RobotModel& assumed,
+                                        std::string_view fault = {})
 {
     const GroundLines kerb(
         {{0.2, stepTerrain(0.08, 1.0, 6.0)}, {-0.2, stepTerrain(0.0, 1.0, 6.0)}});
     SimulatedRobot::Options options;
     options.startX = 3.0;
     options.noise = SensorNoise::none();
-    RobotOnBus onBus(robot, SimulatedRobot(robot, kerb, options), {});
+    RobotOnBus onBus(robot, SimulatedRobot(robot, kerb, options),
+                     {.sensorFault = sensorFaultFrom(fault)});
     TelemetryListener listener(assumed);
     std::optional<Measurement> heard;
     for (int line = 0; line < 20; ++line) {
@@ -42,6 +45,26 @@ TEST(RobotOnBus, sendsBothSidesOfItsGround)
     for (const Flipper flipper : {Flipper::FrontLeft, Flipper::FrontRight})
         for (const auto& force : s.forces[indexOf(flipper)]) EXPECT_TRUE(force);
     for (const auto& current : s.currents) EXPECT_TRUE(current);
+}
+
+TEST(RobotOnBus, saysWhichSensorsAreLost)
+{
+    const RobotModel robot = absolem();
+    const auto heardWith = [&robot](std::string_view fault) {
+        return heardOnAKerb(robot, robot, fault).value_or(Measurement{});
+    };
+    const MotorCurrents currents = motorCurrents(heardWith("lost:front-left-current"));
+    EXPECT_FALSE(currents[0]);
+    EXPECT_TRUE(currents[1] && currents[2] && currents[3]);
+    const Measurement side = heardWith("lost:left-force-6");
+    EXPECT_FALSE(side.sides.left[5]);
+    EXPECT_TRUE(side.sides.right[5]);
+    EXPECT_TRUE(side.missing.none());
+    EXPECT_TRUE(heardWith("lost:force-6").missing[kFirstForceFeature + 5]);
+    EXPECT_FALSE(heardWith("lost:odometry").travelled);
+    const Measurement least = heardWith("lost:all");
+    EXPECT_EQ(least.missing.count(), 8U) << "two axles, six elements";
+    EXPECT_GT(least.roll, 0.15) << "the pose is there";
 }
 
 TEST(RobotOnBus, sendsRearForcesAndTheDifferentialOfItsFile)

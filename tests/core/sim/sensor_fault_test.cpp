@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -80,15 +82,29 @@ bool acts(const std::string& fault)
     return isChanged;
 }
 
+/// Returns true for sensors without which there is no line of telemetry.
+bool isOfThePose(const std::string& sensors)
+{
+    const auto read = sensorFaultFrom("zero:" + sensors);
+    return read && std::all_of(read->sensors.begin(), read->sensors.end(), [](Sensor sensor) {
+               return sensor <= Sensor::RearRight;
+           });
+}
+
 TEST(SensorFault, EveryKindActsAtEverySensor)
 {
     const std::vector<std::string> kinds = wordsBetween("KIND one of", ", SENSORS");
-    const std::vector<std::string> sensors = wordsBetween("SENSORS one of", "\n");
-    EXPECT_EQ(kinds.size(), 13U);
+    const std::vector<std::string> sensors = wordsBetween("SENSORS one of", ";");
+    EXPECT_EQ(kinds.size(), 14U);
+    EXPECT_EQ(kinds.back(), "lost");
     EXPECT_EQ(sensors.size(), 40U);
     for (const std::string& kind : kinds)
         for (const std::string& sensor : sensors) {
             const std::string fault = kind + ':' + sensor;
+            if (kind == "lost" && isOfThePose(sensor)) {
+                EXPECT_FALSE(sensorFaultFrom(fault)) << fault;
+                continue;
+            }
             ASSERT_TRUE(sensorFaultFrom(fault)) << fault;
             const SensorKind what = kindOf(sensorFaultFrom(fault)->sensors.front());
             const bool isAlone = what == SensorKind::Attitude || what == SensorKind::Way;
@@ -215,6 +231,69 @@ TEST(SensorFault, LeavesWhatASceneDidNotMeasure)
     EXPECT_FALSE(read.force[0]);
     EXPECT_EQ(read.force[2], 0.0);
     EXPECT_EQ(read.front, 0.0);
+}
+
+TEST(SensorFault, SwapsNothingThatASceneDidNotMeasure)
+{
+    Proprioception s;
+    s.frontCurrent = 2.0;
+    s.force[0] = 4.0;
+    for (const char* fault : {"swapped-axles:currents", "swapped:forces"})
+        EXPECT_EQ(FaultyScenes(*sensorFaultFrom(fault), absolem(), 1).apply(s, 0.0), s) << fault;
+}
+
+TEST(SensorFault, LosesReadings)
+{
+    Measurement truth = line(0.0, 0.1);
+    truth.turned = 0.5;
+    setCurrents(truth, {1.0, 2.0, 3.0, 4.0});
+    SideForces sides;
+    sides.left.fill(6.0);
+    sides.right.fill(2.0);
+    setSides(truth, sides);
+    EXPECT_EQ(motorCurrents(with("lost:rear-left-current").apply(truth)),
+              (MotorCurrents{1.0, 2.0, std::nullopt, 4.0}));
+    const Measurement left = with("lost:left-force-2").apply(truth);
+    EXPECT_FALSE(left.sides.left[1]);
+    EXPECT_EQ(left.force[1], 2.0);
+    EXPECT_TRUE(left.missing.none());
+    const Measurement both = with("lost:force-2").apply(truth);
+    EXPECT_EQ(both.force[1], 0.0);
+    EXPECT_EQ(both.missing.count(), 1U);
+    const Measurement all = with("lost:all").apply(truth);
+    EXPECT_EQ(all.missing.count(), 8U) << "two axles, six elements";
+    EXPECT_FALSE(all.travelled || all.turned);
+    EXPECT_EQ(all.pitch, 0.1);
+    EXPECT_EQ(all.frontRight, 0.4);
+}
+
+TEST(SensorFault, LosesFeaturesOfScenes)
+{
+    Proprioception s;
+    s.front = 0.3;
+    s.frontCurrent = 2.0;
+    s.rearCurrent = 1.0;
+    s.force.fill(3.0);
+    const auto read = [&s](const char* fault) {
+        return FaultyScenes(*sensorFaultFrom(fault), absolem(), 1).apply(s, 0.0);
+    };
+    for (const char* ofOneSide : {"lost:front-left-current", "lost:right-forces", "lost:odometry"})
+        EXPECT_EQ(read(ofOneSide), s) << ofOneSide;
+    EXPECT_EQ(missingFeatures(read("lost:front-current")).count(), 1U);
+    EXPECT_FALSE(read("lost:force-3").force[2]);
+    EXPECT_EQ(missingFeatures(read("lost:all")).count(), 8U);
+}
+
+TEST(SensorFault, LeavesAForceThatIsMissing)
+{
+    Measurement m = line(0.0, 0.0);
+    m.force[2] = 0.0;
+    m.missing[kFirstForceFeature + 2] = true;
+    EXPECT_FALSE(readingsOf(m)[indexOf(Sensor::Force3)]);
+    const Measurement read = with("offset:forces:3").apply(m);
+    EXPECT_EQ(read.force, (std::array<double, 6>{4, 5, 0, 7, 8, 9}));
+    setReading(m, Sensor::Force3, 3.0);
+    EXPECT_EQ(m.force[2], 0.0);
 }
 
 TEST(SensorFault, LeavesAMotorWithoutACurrent)

@@ -76,6 +76,21 @@ TEST_F(Wire, carriesEachSideOfAnElement)
     EXPECT_NEAR(*overTheWire(sent)->sides.left[2], robot.forceSaturation, 0.5);
 }
 
+TEST_F(Wire, sendsALostElementAsABrokenWire)
+{
+    Measurement sent = everythingMeasured();
+    SideForces sides;
+    sides.left.fill(2.0);
+    sides.right.fill(8.0);
+    sides.left[2].reset();
+    setSides(sent, sides);
+    const auto got = overTheWire(sent);
+    ASSERT_TRUE(got);
+    EXPECT_FALSE(got->sides.left[2]);
+    EXPECT_NEAR(got->sides.right[2].value(), 8.0, 0.1);
+    EXPECT_NEAR(got->force[2], 8.0, 0.1);
+}
+
 TEST_F(Wire, carriesRearArraysAndTheDifferential)
 {
     RobotModel whole = robot;
