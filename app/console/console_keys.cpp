@@ -90,10 +90,10 @@ void holdToMove(HeldButton& button, MainWindow& window, WhyNot whyNot)
                        (window.exploration().*whyNot)().value_or(kOnTerrainPage)});
 }
 
-std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act, Needs needs)
+std::function<void()> ifSeen(const QWidget* control, std::function<void()> act)
 {
-    return [button, needs, act = std::move(act)] {
-        if (button->isVisible() && (button->isEnabled() || needs == Needs::Visible)) act();
+    return [control, act = std::move(act)] {
+        if (control->isVisible() && control->isEnabled()) act();
     };
 }
 
@@ -153,16 +153,12 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
                   if (exploring(exploration->state().phase) && !exploration->following())
                       exploration->abort();
               }});
-    keys.add({{Qt::Key_Delete},
-              MainWindow::tr("forget the estimate"),
-              ifSeen(
-                  panel->requestButton(), [exploration] { exploration->forgetResult(); },
-                  Needs::Visible)});
+    keys.add({{Qt::Key_Delete}, MainWindow::tr("forget the estimate"), ifSeen(panel, [exploration] {
+                  exploration->forgetResult();
+              })});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
               MainWindow::tr("restore the hidden estimate"),
-              ifSeen(
-                  panel->requestButton(), [exploration] { exploration->restoreResult(); },
-                  Needs::Visible)});
+              ifSeen(panel, [exploration] { exploration->restoreResult(); })});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_H)},
               MainWindow::tr("list the estimates of this run"),
               [&window] { window.history().open(); }});

@@ -6,7 +6,7 @@
 #include "app/mission/exploration.h"
 
 class QAction;
-class QPushButton;
+class QWidget;
 
 namespace terratact {
 
@@ -20,10 +20,9 @@ class MainWindow;
 void holdToMove(HeldButton& button, MainWindow& window,
                 std::optional<Message> (Exploration::*whyNot)() const);
 
-/// Condition under which a control acts: the button of the same action is visible. Use: it is also enabled.
-enum class Needs { Visible, Use };
-std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
-                             Needs needs = Needs::Use);
+/// Returns a function that acts only while this control is visible and enabled: the button of the same action, or the
+/// panel that shows its result.
+std::function<void()> ifSeen(const QWidget* control, std::function<void()> act);
 
 // Key bindings of the console; each function adds one group to the table.
 

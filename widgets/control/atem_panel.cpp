@@ -398,16 +398,7 @@ void AtemPanel::showButtons()
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
                     || (!busy && hasResult_);
 
-    const bool asks = probe_ && !busy;
-    abort_->setVisible(!stopped && !asks);
-    ask_->setVisible(asks);
-    release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && !isMissing && !isDoubtful);
-    const bool overrides = !busy && !stopped && isDoubtful;
-    override_->setVisible(overrides);
-    // A narrow panel keeps its buttons in one row, so that none of its lines must go.
-    request_->setVisible(!stopped && !(narrow_ && (busy || overrides)));
-    stacks_ = overrides;
     QString whyNot;
     if (busy && !state_.followed)
         whyNot = translated(kAlreadyExploring);
@@ -418,21 +409,31 @@ void AtemPanel::showButtons()
     const QString what =
         tr("Halts the robot, presses the front flippers down and estimates the terrain");
     setTip(*request_, (whyNot.isEmpty() ? what : whyNot) + QLatin1Char('\n') + linesOf(needs));
+    // A hidden or disabled button passes its focus on, so this comes before others can be pressed.
+    const bool asks = probe_ && !busy;
+    const bool probes = asks && probe_->place && request_->isEnabled();
+    abort_->setVisible(!stopped && !probes);
+    ask_->setVisible(asks);
+    if (asks) showProbe(probes, whyNot + QLatin1Char('\n') + linesOf(needs));
+    release_->setVisible(stopped);
+    const bool overrides = !busy && !stopped && isDoubtful;
+    override_->setVisible(overrides);
+    // A narrow panel gives the room of this button to others. kLines of its texts stay visible.
+    request_->setVisible(!stopped && !(narrow_ && (busy || overrides)));
+    stacks_ = overrides;
     const bool clears =
         ended || state_.followed;  // a followed exploration cannot be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
-    if (asks) showProbe(whyNot + QLatin1Char('\n') + linesOf(needs));
     setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
                     : clears             ? tr("Hides the result; Ctrl+Z restores it")
                                          : tr("Halts the robot and ends the exploration"));
     placeButtons();
 }
 
-/// Shows the button of probe_, which can be pressed where request_ can. whyNot: why request_ cannot be.
-void AtemPanel::showProbe(const QString& whyNot)
+/// Shows the button of probe_. whyNot: why request_ cannot be pressed.
+void AtemPanel::showProbe(bool possible, const QString& whyNot)
 {
-    const bool possible = probe_->place && request_->isEnabled();
     ask_->setEnabled(possible);
     ask_->setText(possible ? tr("Probe %1 (B)").arg(sidePlace(*probe_->place)) : tr("Probe (B)"));
     QString tip;

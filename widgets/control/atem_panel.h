@@ -53,8 +53,8 @@ public:
     void setHasResult(bool hasResult);
 
     /// Offers to request a probe; empty: no offer. Its button replaces the one that clears the estimate. Where the
-    /// probe is not possible now, the button is disabled and its tip gives the reason. While an exploration runs, the
-    /// button is hidden: the probe card then has the proposal.
+    /// probe is not possible now, the button is disabled and its tip gives the reason; it then stands beside the other.
+    /// While an exploration runs, the button is hidden: the probe card then has the proposal.
     void setProbeToAsk(const std::optional<ProbeToAsk>& probe);
 
     /// Makes the panel display-only: no button is visible.
@@ -88,7 +88,7 @@ private:
     QString idleText(const QString& ready) const;
     void showList();
     void showButtons();
-    void showProbe(const QString& whyNot);
+    void showProbe(bool possible, const QString& whyNot);
     void placeButtons();
     bool forgets() const;
     void arrange();

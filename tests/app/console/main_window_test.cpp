@@ -170,6 +170,21 @@ TEST_F(Console, deleteClearsTheEstimateAfterStop)
     EXPECT_TRUE(eventually([&] { return !window->exploration().estimation().estimate(); }));
 }
 
+TEST_F(Console, deleteActsWhileTheExploreButtonIsHidden)
+{
+    open(fastRobot(robot, 2.1));
+    proposeByKeyboard();
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    ASSERT_TRUE(reaches(AtemPhase::Stopped));
+    ASSERT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isVisible(); }));
+    const Estimation& estimation = window->exploration().estimation();
+    ASSERT_TRUE(estimation.estimate());
+    QTest::keyClick(window.get(), Qt::Key_Delete);
+    EXPECT_TRUE(eventually([&] { return !estimation.estimate(); }));
+    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(eventually([&] { return estimation.estimate().has_value(); }));
+}
+
 TEST_F(Console, staleValuesDisappearAndTheLostLinkIsShown)
 {
     ScriptedSource* source = openScripted();

@@ -270,17 +270,67 @@ TEST_F(Atem, noPlaceToProbeIsSaidOnADisabledButton)
     EXPECT_TRUE(panel.abortButton()->isVisible());
 }
 
+TEST_F(Atem, forgettingIsPossibleBesideADisabledProbe)
+{
+    QSignalSpy wanted(&panel, &AtemPanel::forgetWanted);
+    const auto forgets = [&] {
+        if (!panel.abortButton()->isVisible() || panel.probeButton()->isEnabled()) return false;
+        wanted.clear();
+        QTest::mouseClick(panel.abortButton(), Qt::LeftButton);
+        return wanted.size() == 1;
+    };
+    const Precondition doubtful{Level::Doubtful, Message::verbatim("roll 7°")};
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    panel.setProbeToAsk(ProbeToAsk{.place = ProbePlace{9}, .text = {}});
+    EXPECT_TRUE(panel.probeButton()->isEnabled());
+    EXPECT_FALSE(panel.abortButton()->isVisible()) << "the probe has its place";
+    panel.setPreconditions({doubtful});
+    EXPECT_TRUE(forgets() && panel.overrideButton()->isVisible());
+    panel.setNarrow(true);
+    EXPECT_TRUE(forgets() && !panel.requestButton()->isVisible());
+    panel.setNarrow(false);
+    panel.setPreconditions({{Level::Missing, Message::verbatim("not armed")}});
+    EXPECT_TRUE(forgets());
+    panel.setState({.phase = AtemPhase::Presenting, .followed = true}, std::nullopt);
+    EXPECT_TRUE(forgets()) << "it only follows";
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    panel.setPreconditions({});
+    panel.setProbeToAsk(ProbeToAsk{.place = {}, .text = "the arm measures no height"});
+    EXPECT_TRUE(forgets());
+}
+
+TEST_F(Atem, aDisabledProbePassesNoFocusToACommand)
+{
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    panel.setProbeToAsk(ProbeToAsk{.place = ProbePlace{9}, .text = {}});
+    panel.probeButton()->setFocus();
+    ASSERT_EQ(panel.focusWidget(), panel.probeButton());
+    panel.setPreconditions({{Level::Doubtful, Message::verbatim("roll 7°")}});
+    EXPECT_TRUE(panel.overrideButton()->isVisible());
+    EXPECT_NE(panel.focusWidget(), panel.overrideButton()) << "Space would override";
+    panel.setPreconditions({});
+    panel.probeButton()->setFocus();
+    ASSERT_EQ(panel.focusWidget(), panel.probeButton());
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(panel.releaseButton()->isVisible());
+    EXPECT_NE(panel.focusWidget(), panel.releaseButton()) << "Space would release STOP";
+}
+
 TEST_F(Atem, noButtonIsCutBesideADisabledProbe)
 {
     panel.setProbeToAsk(ProbeToAsk{.place = ProbePlace{9}, .text = {}});
     panel.setNarrow(true);
     panel.setFixedWidth(281);
     for (const AtemPhase phase : {AtemPhase::Presenting, AtemPhase::Stopped}) {
-        panel.setPreconditions({{Level::Doubtful, Message::verbatim("roll 7°")}});
+        for (const Commanded command : {Commanded::Explore, Commanded::ReleaseStop})
+            panel.setNeeds(command, {{Level::Doubtful, Message::verbatim("roll 7°")}});
         panel.setState({.phase = phase}, std::nullopt);
         EXPECT_TRUE(panel.probeButton()->isVisible());
         EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }))
             << static_cast<int>(phase);
+        EXPECT_TRUE(gui::eventually([&] { return gui::scrolledText(panel).empty(); }))
+            << static_cast<int>(phase);
+        EXPECT_TRUE(shows("roll 7°")) << "its lines remain";
     }
 }
 
