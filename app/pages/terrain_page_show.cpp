@@ -334,7 +334,7 @@ void TerrainPage::showPose(const TerrainViewState& viewState)
     const TwoTrackEstimate* const estimate = past           ? past.estimate.estimate
                                            : viewState.live ? viewState.live.estimate
                                                             : viewState.estimate.estimate;
-    isOnePlane_ = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(*posed_));
+    isOnePlane_ = estimate ? estimate->onePlane : !sidesDiffer(twoTrackReadings(*posed_));
     showOutlines();
     const std::optional<Heights>* const truth = past            ? past.truth
                                               : viewState.scene ? viewState.sceneTruth

@@ -129,13 +129,14 @@ TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmRe
     const TwoTrackReadings s = twoTrackReadings(line);
     const std::vector<ArmReading> left = readingsOn(ProbeSide::Left, readings),
                                   right = readingsOn(ProbeSide::Right, readings);
-    const bool isEven = left.empty() && right.empty() && isSymmetric(s);
-    if (!models.sides || !hasSides(line) || isEven)
+    const bool hasArms = !left.empty() || !right.empty();
+    if (!models.sides || !hasSides(line) || (!hasArms && isSymmetric(s)))
         return asOnePlane(line, readings, robot, models, settings, watch, history);
     if (!allowsBothSides(line, settings.method)) {
         TwoTrackEstimate plane =
             asOnePlane(line, readings, robot, models, settings, watch, history);
-        if (!hasTurned(line.differential)) warnOfMethod(plane, settings.method);
+        if (!hasTurned(line.differential) && (hasArms || sidesDiffer(s)))
+            warnOfMethod(plane, settings.method);
         return plane;
     }
     TwoTrackEstimate estimate =

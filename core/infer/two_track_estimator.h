@@ -31,9 +31,10 @@ bool allowsBothSides(const Measurement& line, Method method);
 /// of two tracks, allowsBothSides() holds, and the scene is not symmetric within its sensors' noise. A
 /// reading of the arm on a side makes a symmetric scene one of both sides. Otherwise it is estimated
 /// as one plane by estimateTerrain() with warnIfNotPlanar(); sides do not count there. Forces and
-/// currents that one side alone has count for both, with a warning that names the side without them. A
-/// scene that only its method or its differential makes one plane gets a warning. Both sides ignore a
-/// reading in the middle, which is of neither line, with a warning. Throws like estimateTerrain().
+/// currents that one side alone has count for both, with a warning that names the side without them.
+/// They do not make the sides differ. A scene of different sides that only its method or its
+/// differential makes one plane gets a warning. Both sides ignore a reading in the middle, which is of
+/// neither line, with a warning. Throws like estimateTerrain().
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
                                   const RobotModel& robot, const Models& models,
                                   const Settings& settings, const Watch& watch = {},

@@ -21,10 +21,10 @@ bool agree(double left, double right, double sd)
     return std::abs(left - right) <= kSymmetricSd * std::numbers::sqrt2 * sd;
 }
 
+/// Returns true if these readings agree, or one of them is not measured.
 bool agree(const Reading& left, const Reading& right, double sd)
 {
-    if (!left || !right) return left.has_value() == right.has_value();
-    return agree(*left, *right, sd);
+    return !left || !right || agree(*left, *right, sd);
 }
 
 bool forcesAgree(const TwoTrackReadings& s)
@@ -63,14 +63,22 @@ Proprioception planeReadings(const TwoTrackReadings& s)
     return proprioception(measurementOf(s));
 }
 
-bool isSymmetric(const TwoTrackReadings& s)
+bool sidesDiffer(const TwoTrackReadings& s)
 {
     const Proprioception left = sideReadings(s, Side::Left), right = sideReadings(s, Side::Right);
-    return std::abs(s.roll) <= kSymmetricSd * kRollSd
-        && std::abs(s.differential.value_or(0.0)) <= kSymmetricSd * kFlipperSd
-        && agree(left.front, right.front, kFlipperSd) && agree(left.rear, right.rear, kFlipperSd)
-        && agree(left.frontCurrent, right.frontCurrent, kMotorSd)
-        && agree(left.rearCurrent, right.rearCurrent, kMotorSd) && forcesAgree(s);
+    const bool alike = std::abs(s.roll) <= kSymmetricSd * kRollSd
+                    && std::abs(s.differential.value_or(0.0)) <= kSymmetricSd * kFlipperSd
+                    && agree(left.front, right.front, kFlipperSd)
+                    && agree(left.rear, right.rear, kFlipperSd)
+                    && agree(left.frontCurrent, right.frontCurrent, kMotorSd)
+                    && agree(left.rearCurrent, right.rearCurrent, kMotorSd) && forcesAgree(s);
+    return !alike;
+}
+
+bool isSymmetric(const TwoTrackReadings& s)
+{
+    const auto missing = [&s](Side side) { return missingFeatures(sideReadings(s, side)); };
+    return !sidesDiffer(s) && missing(Side::Left) == missing(Side::Right);
 }
 
 bool hasTurned(const std::optional<double>& differential)

@@ -23,9 +23,12 @@ Proprioception sideReadings(const TwoTrackReadings& s, Side side);
 /// Returns the readings of one plane: proprioception() of the line of telemetry with these readings.
 Proprioception planeReadings(const TwoTrackReadings& s);
 
-/// Returns true if both sides read the same within kSymmetricSd standard deviations of the noise
+/// Returns true if the sides differ by more than kSymmetricSd standard deviations of the noise
 /// (core/sim/sensor_noise.h). Compared are roll, angles, differential, and the currents and front
-/// forces that both sides have. A reading that one side alone has makes the readings asymmetric.
+/// forces that both sides have; a reading that one side alone has does not count.
+bool sidesDiffer(const TwoTrackReadings& s);
+
+/// Returns true if the sides do not differ, and no current or front force is of one side alone.
 bool isSymmetric(const TwoTrackReadings& s);
 inline constexpr double kSymmetricSd = 3.0;
 

@@ -175,13 +175,19 @@ TEST(TerrainPageAlone, drawsBothSidesOfARobotThatRolls)
         return parts;
     };
     const Measurement level, tilted = rolled();
+    Measurement lacking;
+    setCurrents(lacking, {std::nullopt, 1.0, 1.0, 1.0});
     TerrainViewState viewState;
     viewState.measurement = &level;
     viewState.count = 1;
     page.setViewState(viewState);
     EXPECT_EQ(far(), 0);
-    viewState.measurement = &tilted;
+    viewState.measurement = &lacking;
     viewState.count = 2;
+    page.setViewState(viewState);
+    EXPECT_EQ(far(), 0) << "the left current is not measured, so it does not differ";
+    viewState.measurement = &tilted;
+    viewState.count = 3;
     page.setViewState(viewState);
     EXPECT_GT(far(), 0);
     page.terrain()->setShownSides(ShownSides::Left);
@@ -190,7 +196,7 @@ TEST(TerrainPageAlone, drawsBothSidesOfARobotThatRolls)
     const TwoTrackEstimate plane = equalSides(stepEstimate());
     viewState.estimate = {&plane, 1};
     viewState.scene = &tilted;
-    viewState.count = 3;
+    viewState.count = 4;
     page.setViewState(viewState);
     EXPECT_EQ(far(), 0) << "an estimate of one plane has one robot";
 }

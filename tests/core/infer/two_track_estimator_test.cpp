@@ -287,6 +287,19 @@ TEST(EstimateMeasured, aPlaneCountsTheCurrentOfOneMotor)
               std::string::npos);
 }
 
+TEST(EstimateMeasured, unmeasuredCurrentsMakeNoSidesDiffer)
+{
+    const Settings paper{.method = Method::Pafc, .draws = 20};
+    Measurement line = evenLine();
+    setCurrents(line, {std::nullopt, 1.0, 1.0, 1.0});
+    const std::string even = sentencesOf(measured(line, {}, paper));
+    EXPECT_EQ(even.find("although they differ"), std::string::npos) << even;
+    EXPECT_NE(even.find("the front left flipper current was not measured"), std::string::npos);
+    EXPECT_NE(sentencesOf(measured(lineWithoutACurrent(), {}, paper)).find("although they differ"),
+              std::string::npos)
+        << "they differ in what both have";
+}
+
 TEST(EstimateMeasured, aReadingBetweenTheSidesCountsForNeither)
 {
     const std::vector<ArmReading> middle{{.bin = 9, .height = 0.0, .sd = 0.03}};

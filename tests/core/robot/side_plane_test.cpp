@@ -81,5 +81,16 @@ TEST(SidePlane, isSymmetricWithinTheNoiseOnly)
     EXPECT_FALSE(isSymmetric(s));
 }
 
+TEST(SidePlane, aReadingOfOneSideMakesNoDifference)
+{
+    TwoTrackReadings s = evenReadings();
+    s.currents[indexOf(Flipper::FrontLeft)].reset();
+    s.forces[indexOf(Flipper::FrontRight)][5].reset();
+    EXPECT_FALSE(sidesDiffer(s));
+    EXPECT_FALSE(isSymmetric(s));
+    s.currents[indexOf(Flipper::RearRight)] = 2.5;
+    EXPECT_TRUE(sidesDiffer(s));
+}
+
 }  // namespace
 }  // namespace terratact
