@@ -131,9 +131,11 @@ private:
     {
         std::vector<std::string> fields{moment(time)};
         const FrameLayout& own = layoutOf(content.kind);
+        const auto measured = measuredSignals(content);
         for (const FrameLayout& layout : frameLayouts())
             for (std::size_t i = 0; i < layout.payload.size(); ++i)
-                fields.push_back(&layout == &own ? numberText(content.values.at(i)) : "");
+                fields.push_back(&layout == &own && measured[i] ? numberText(content.values.at(i))
+                                                                : "");
         fields.resize(fields.size() + payload_.signals());
         out_ << csvLine(fields);
     }

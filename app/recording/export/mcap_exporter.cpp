@@ -166,11 +166,8 @@ private:
         std::string meaning;
         if (const auto content = unpack(f); std::holds_alternative<Unpacked>(content)) {
             const auto& sound = std::get<Unpacked>(content);
-            const FrameLayout& layout = layoutOf(sound.kind);
-            for (std::size_t i = 0; i < layout.payload.size(); ++i)
-                meaning += fmt::format("{}{}:{}", i > 0 ? "," : "",
-                                       jsonText(layout.payload[i].name), sound.values.at(i));
-            meaning = fmt::format(R"(,"name":{},"signals":{{{}}})", jsonText(layout.name), meaning);
+            meaning = fmt::format(R"(,"name":{},"signals":{})", jsonText(layoutOf(sound.kind).name),
+                                  signalsJson(sound));
         } else if (const auto described = payload_.find(f)) {
             const auto& message = payload_.messages()[*described];
             meaning = fmt::format(R"(,"name":{},"signals":{})", jsonText(message.name),
@@ -179,6 +176,18 @@ private:
         return fmt::format(
             R"({{"id":{},"extended":{},"remote":{},"error":{},"fd":{},"sent":{},"length":{},"data":[{}]{}}})",
             f.id, f.extended, f.remote, f.error, f.fd, row.sent, f.length, data, meaning);
+    }
+
+    /// A signal that was not measured is null.
+    static std::string signalsJson(const Unpacked& content)
+    {
+        const FrameLayout& layout = layoutOf(content.kind);
+        const auto measured = measuredSignals(content);
+        std::string text;
+        for (std::size_t i = 0; i < layout.payload.size(); ++i)
+            text += fmt::format("{}{}:{}", i > 0 ? "," : "", jsonText(layout.payload[i].name),
+                                measured[i] ? fmt::format("{}", content.values.at(i)) : "null");
+        return "{" + text + "}";
     }
 
     /// A current that only the other motor of its axle measured is null.

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "core/wire/can_codec.h"
 #include "tests/support/sessions/session_files.h"
 
 namespace terratact {
@@ -18,6 +19,19 @@ TEST_F(SessionFiles, quotesTextsThatHoldSeparators)
     });
     EXPECT_NE(exported(path, "a.csv", ExportKind::Events).find("\"a, \"\"b\"\"\nc"),
               std::string::npos);
+}
+
+TEST_F(SessionFiles, aSignalThatWasNotMeasuredIsEmpty)
+{
+    const std::string path = session("lost.tts", [](SessionWriter& writer) {
+        const CanFrame currents =
+            pack({.kind = FrameKind::FrontCurrents, .values = {0.0, 1.5, 1.0, 1.0, 0.0}});
+        ASSERT_TRUE(writer.add(FrameRow{.time = 1, .frame = currents}));
+        ASSERT_TRUE(writer.add(FrameRow{.time = 2, .frame = pack({.kind = FrameKind::Attitude})}));
+    });
+    const std::string csv = exported(path, "a.csv", ExportKind::Signals);
+    EXPECT_NE(csv.find(",,1.5,1,1,0,"), std::string::npos) << "the left current is missing";
+    EXPECT_EQ(csv.find(",0,0,0,"), std::string::npos) << "Measured alone is 0";
 }
 
 /// Writes a session with an estimate of one plane and one of two sides.

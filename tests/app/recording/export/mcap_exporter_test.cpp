@@ -1,6 +1,7 @@
 // Tests MCAP exports of a session.
 #include <gtest/gtest.h>
 
+#include "core/wire/can_codec.h"
 #include "tests/support/sessions/session_files.h"
 
 namespace terratact {
@@ -33,6 +34,17 @@ TEST_F(SessionFiles, schemasHaveOnlyWhatViewersRead)
               std::string::npos);
     EXPECT_EQ(mcap.find(R"("type":[)"), std::string::npos) << "Foxglove refuses a list of types";
     EXPECT_NE(mcap.find(R"("signals":{"type":"object","properties":{})"), std::string::npos);
+}
+
+TEST_F(SessionFiles, aSignalThatWasNotMeasuredIsNull)
+{
+    const std::string path = session("lost.tts", [](SessionWriter& writer) {
+        const CanFrame currents =
+            pack({.kind = FrameKind::FrontCurrents, .values = {0.0, 1.5, 1.0, 1.0, 0.0}});
+        ASSERT_TRUE(writer.add(FrameRow{.time = 1, .frame = currents}));
+    });
+    const std::string mcap = exported(path, "a.mcap", ExportKind::Frames);
+    EXPECT_NE(mcap.find(R"("signals":{"Left":null,"Right":1.5,)"), std::string::npos);
 }
 
 TEST_F(SessionFiles, eachSideHasAChannelIfThereAreTwo)
