@@ -18,8 +18,10 @@ namespace terratact {
 /// (core/log/rows/recorded_words.h), and no messages. Versions 1 to 3 hold only the means of left and right
 /// forces in a scene, and no differential. Their probes are of the middle alone, their estimates of
 /// one plane. Versions 1 to 4 hold no memory of the way, and no networks that use it. Versions 1 to
-/// 5 hold what was on the screen in English only.
-inline constexpr std::int64_t kSessionVersion = 6;
+/// 5 hold what was on the screen in English only. Versions 1 to 6 hold both currents of an axle or
+/// none. In version 7 one alone may be missing, which older readers take for 0 A. Its tables are
+/// those of version 6.
+inline constexpr std::int64_t kSessionVersion = 7;
 inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {

@@ -144,6 +144,13 @@ TEST_F(ImportedSessions, signalsKeepAMissingCurrent)
         ASSERT_NEAR(currents[1].value(), 1.0, 1e-9);
         ASSERT_NEAR(currents[3].value(), 0.25, 1e-9);
     }
+    exported(path, "frames.mcap");
+    ASSERT_TRUE(imported(directory.file("frames.mcap"), shippedMapping("terratact"), "frames.tts"));
+    const auto before = framesOfSession(path);
+    const auto after = framesOfSession(directory.file("frames.tts"));
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        ASSERT_EQ(after[i].frame, before[i].frame) << "unmeasured signals are null, " << i;
 }
 
 TEST_F(ImportedSessions, csvBecomesASessionWithScenes)

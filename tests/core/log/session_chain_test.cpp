@@ -177,7 +177,7 @@ TEST_F(Session, foreignTablesViewsAndTriggersAreRefused)
     for (const char* const sql :
          {"CREATE TABLE more(a)", "CREATE VIEW look AS SELECT 1", "CREATE INDEX i ON event(t)",
           "CREATE TRIGGER t AFTER INSERT ON event BEGIN SELECT 1; END", "DROP VIEW messages",
-          "PRAGMA user_version = 7", "PRAGMA application_id = 7",
+          "PRAGMA user_version = 8", "PRAGMA application_id = 7",
           "DROP VIEW messages; CREATE VIEW messages AS SELECT load_extension('x')"}) {
         std::filesystem::remove(path);
         seal(path, 100);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "core/infer/verdict/verdict.h"
@@ -97,6 +98,27 @@ TEST_F(Session, keepsTheCurrentOfOneMotor)
     for (std::size_t motor = 0; motor < kMotors; ++motor)
         EXPECT_EQ(reader->scenes()[2 + motor], lacking[motor]) << motor;
     EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Session, isRefusedByReadersThatExpectBothCurrents)
+{
+    seal(path, 100);
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(63);  // last byte of the user version; sqlite.org/fileformat2.html §1.3
+    EXPECT_EQ(file.get(), 7) << "readers of version 6 read a missing left current as 0 A";
+}
+
+TEST_F(Session, ofVersion6ReadsTheSame)
+{
+    seal(path, 1000);
+    const auto scenes = SessionReader::open(path)->scenes();
+    const auto events = SessionReader::open(path)->events();
+    change(path, "PRAGMA user_version = 6");
+    auto older = SessionReader::open(path);
+    ASSERT_TRUE(older) << older.error().text;
+    EXPECT_EQ(older->scenes(), scenes);
+    EXPECT_EQ(older->events(), events);
+    EXPECT_FALSE(older->verify().broken);
 }
 
 TEST_F(Session, keepsBothSidesOfAScene)
