@@ -36,8 +36,9 @@ struct RecordedTopic {
 class MessageDecoder {
 public:
     /// Errors state what was expected, without the topic: the encoding is unknown, or the definition is
-    /// missing, left out or cannot be parsed. A definition that the file lacks, or has in an encoding that is
-    /// not read, is replaced if its type is in core/bags/known_messages.h. One that is left out is not replaced.
+    /// missing, left out or cannot be parsed. A definition that the file lacks is
+    /// replaced if its type is in core/bags/known_messages.h. So is one in an encoding that is not read. One
+    /// that is left out is not replaced.
     static Result<MessageDecoder> of(const RecordedTopic& topic);
 
     /// Errors state the cause, without the topic.

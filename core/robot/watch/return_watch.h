@@ -17,13 +17,12 @@ namespace terratact {
 ///   shift = ½ (θ out + θ back) − bias.
 /// θ is the pitch of the line that the robot rests on (supportAngle). The bias is kLoaded where the
 /// rear flippers carry a load in both directions. It is kUnloaded where they carry none in either.
-/// Other places are left out, and so are lines with a load on the front flippers, and lines that lack
-/// the currents of an axle. The contacts of a
-/// robot on an edge depend on its centre of mass, not on its middle. Slip displaces the places, so
-/// the watch takes the mean of the middle half of all shifts. Both biases were fitted to simulated
-/// drives over generated ground. In one direction alone no sensor of this robot can distinguish a
-/// shift from a slope. The watch needs way and turn of the odometry. Its memory is bounded, and it
-/// has no clock.
+/// Other places are left out. So are lines with a load on the front flippers, and lines that lack the
+/// currents of an axle. The contacts of a robot on an edge depend on its centre of mass, not on its
+/// middle. Slip displaces the places, so the watch takes the mean of the middle half of all shifts.
+/// Both biases were fitted to simulated drives over generated ground. In one direction alone no sensor
+/// of this robot can distinguish a shift from a slope. The watch needs way and turn of the odometry. Its
+/// memory is bounded, and it has no clock.
 class ReturnWatch {
 public:
     static constexpr double kStep = 0.02;  ///< [m] way of a place
