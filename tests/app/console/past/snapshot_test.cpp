@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimeZone>
 #include <future>
 #include <memory>
 
@@ -24,7 +25,7 @@
 namespace terratact {
 namespace {
 
-const QDateTime kNoon(QDate(2026, 3, 4), QTime(12, 0, 1, 250), Qt::UTC);
+const QDateTime kNoon(QDate(2026, 3, 4), QTime(12, 0, 1, 250), QTimeZone::utc());
 
 TEST(SnapshotFiles, lieBesideTheSessionUnderAFreeName)
 {

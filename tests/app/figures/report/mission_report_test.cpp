@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/figures/report/document_pages.h"
@@ -31,7 +32,7 @@ std::vector<Row> rowsWith(const DocumentPart& part, std::size_t column, const st
     return rows;
 }
 
-const DocumentPart& partOf(const ReportDocument& document, const std::string& heading)
+const DocumentPart& partOf(const ReportDocument& document, std::string_view heading)
 {
     const auto at = std::ranges::find(document.parts, heading, &DocumentPart::heading);
     EXPECT_NE(at, document.parts.end()) << heading;
