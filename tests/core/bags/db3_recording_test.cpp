@@ -49,6 +49,11 @@ struct Db3Files : testing::Test {
                "INSERT INTO topics VALUES(1, '/a', 'std_msgs/msg/Float64', 'cdr', ''), (2, '/b', "
                "'p/msg/T', 'cdr', '');";
     }
+    static std::string definitionsTable()
+    {
+        return "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
+               "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);";
+    }
     static std::string message(int topic, std::int64_t time, const std::string& data)
     {
         return "INSERT INTO messages(topic_id, timestamp, data) VALUES(" + std::to_string(topic)
@@ -87,11 +92,8 @@ TEST_F(Db3Files, commonTypesNeedNoDefinition)
 TEST_F(Db3Files, definitionsInTheFileAreUsed)
 {
     const std::string path = written(
-        tables()
-        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
-          "TEXT, "
-          "encoded_message_definition TEXT, type_description_hash TEXT);"
-          "INSERT INTO message_definitions VALUES(1, 'p/msg/T', 'ros2msg', 'float64 data', '');"
+        tables() + definitionsTable()
+        + "INSERT INTO message_definitions VALUES(1, 'p/msg/T', 'ros2msg', 'float64 data', '');"
         + message(2, 6, number(2.5)));
     EXPECT_EQ(read(path), std::vector<std::string>{"/b 6 2.500000"});
 }
@@ -99,10 +101,8 @@ TEST_F(Db3Files, definitionsInTheFileAreUsed)
 TEST_F(Db3Files, anUnreadDefinitionIsThatOfACommonType)
 {
     const std::string path = written(
-        tables()
-        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
-          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
-          "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'ros2idl', 'module "
+        tables() + definitionsTable()
+        + "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'ros2idl', 'module "
           "std_msgs', ''), (2, 'p/msg/T', 'ros2idl', 'module p', '');"
         + message(1, 5, number(1.5)) + message(2, 6, number(2.5)));
     const auto found = read(path);
@@ -120,14 +120,12 @@ TEST_F(Db3Files, anUnreadDefinitionIsThatOfACommonType)
 
 TEST_F(Db3Files, aDefinitionThatIsTooLargeCostsItsTopic)
 {
-    const std::string path = written(
-        tables()
-        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
-          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
-          "INSERT INTO message_definitions VALUES(1, 'p/msg/T', 'ros2msg', "
-          "replace(hex(zeroblob(524289)), '0', ' '), '');"
-          "UPDATE topics SET name = replace(hex(zeroblob(500)), '0', 'n') WHERE id = 1;"
-        + message(1, 5, number(1.5)) + message(2, 6, number(2.5)));
+    const std::string path =
+        written(tables() + definitionsTable()
+                + "INSERT INTO message_definitions VALUES(1, 'p/msg/T', 'ros2msg', "
+                  "replace(hex(zeroblob(524289)), '0', ' '), '');"
+                  "UPDATE topics SET name = replace(hex(zeroblob(500)), '0', 'n') WHERE id = 1;"
+                + message(1, 5, number(1.5)) + message(2, 6, number(2.5)));
     const auto found = read(path);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0], std::string(kMaxTopicName, 'n') + "… 5 1.500000");
@@ -141,10 +139,7 @@ TEST_F(Db3Files, aDefinitionThatIsTooLargeCostsItsTopic)
 
 TEST_F(Db3Files, aCommonTypeIsNotDecodedByAnotherDefinition)
 {
-    const std::string definitions =
-        tables()
-        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
-          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);";
+    const std::string definitions = tables() + definitionsTable();
     const auto tooLong =
         read(written(definitions
                      + "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', "
@@ -173,10 +168,8 @@ TEST_F(Db3Files, aCommonTypeIsNotDecodedByAnotherDefinition)
 TEST_F(Db3Files, anEmptyDefinitionIsNone)
 {
     const std::string path = written(
-        tables()
-        + "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT, encoding "
-          "TEXT, encoded_message_definition TEXT, type_description_hash TEXT);"
-          "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'unknown', '', '');"
+        tables() + definitionsTable()
+        + "INSERT INTO message_definitions VALUES(1, 'std_msgs/msg/Float64', 'unknown', '', '');"
         + message(1, 5, number(1.5)));
     EXPECT_EQ(read(path), std::vector<std::string>{"/a 5 1.500000"});
     EXPECT_EQ(remarks, std::vector<std::string>{});
